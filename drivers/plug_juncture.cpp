@@ -7,11 +7,11 @@
 //      .      |________|   |_______________|  |_________| |________|                 below the ledge of the next one
 //             ==========
 //             ==========                                                         shield plates, if the case has any
-//                 ^ ^ pressure, a block or a velocity
+//                 ^ ^ pressure, a block, a slug of sodium or a velocity
 //
 // Question  When do the gaps close, what is handed from plug to plug, and what moves at the end?
 // Answer    docs/reactor_head.md
-// Run       plug_juncture cases/plug_juncture/slug.yaml --out out/plug_juncture      head.yaml: with shield plates
+// Run       plug_juncture cases/plug_juncture/slug.yaml --out out/plug_juncture      head.yaml: with shield plates; sodium.yaml: a slug
 
 #include <algorithm>
 #include <array>
@@ -127,17 +127,41 @@ void add_plates(const driver::Plates& plates, const Head& head, int level, const
   }
 }
 
-/// What strikes the head from below: a pressure on some plugs, a block under the small one, or a velocity of the lowest plate.
+/// A slug of fluid below what it strikes, between rigid walls along its hole and around it, which reach up to the face that is struck.
+void add_slug(const input::Section& section, const Head& head, double outside, double top, double height, double gap, double speed,
+              const std::string& struck, int level, const Part& part, const dynamics::InterfaceOptions& interface, model::Scene& scene) {
+  constexpr double thin = 0.05;  // [m] of the walls, which are held: their thickness is of no matter
+  const input::Section material = section.section("material");
+  model::Body slug{.name = "slug", .mesh = ring(head.hole, outside, top - gap - height, top - gap, level, cells_in(height, level), part),
+                   .law = input::read_solid_or_fluid_law(material), .solid = input::read_fluid_options(section.section_or_empty("element")),
+                   .at = "struck_by"};
+  if (material.sound() && !material::is_fluid(slug.law)) section.fault("material", "the slug is a fluid: expected mie_gruneisen, linear_fluid");
+  scene.bodies.push_back(slug);
+  const auto wall = [&](const char* name, double inner, double outer, const char* own, const char* of_slug) {
+    const double low = top - gap - height;
+    scene.bodies.push_back({.name = name, .mesh = ring(inner, outer, low, top, level, cells_in(top - low, level), part),
+                            .law = material::Elastic{7850, 200e9, 0.3}, .at = "struck_by"});
+    scene.contacts.push_back({.name = std::string("along_") + name, .apexes = std::string("slug.") + of_slug,
+                              .base = std::string(name) + "." + own, .height_from_thickness = false, .interface = interface,
+                              .at = "contact"});
+  };
+  wall("core", head.hole - thin, head.hole, "out_1", "in_0"), wall("sleeve", outside, outside + thin, "in_0", "out_1");
+  scene.contacts.push_back({.name = "blow", .apexes = "slug.up_1", .base = struck, .height_from_thickness = false, .interface = interface,
+                            .at = "contact"});
+  scene.initial = {{.body = "slug", .value = model::uniform({0, 0, speed})}};
+}
+
+/// What strikes the head from below: a pressure on some plugs, a block or a slug under the small one, or a velocity of the lowest plate.
 ///
 /// Plates stand in front of the small plug: what would strike that strikes the lowest of them.
 void add_striker(const input::Section& root, const Head& head, const driver::Plates& plates, int level, const Part& part,
                  const element::AnyLaw& steel, const dynamics::InterfaceOptions& interface, model::Scene& scene) {
   const input::Section section = root.section("struck_by");
   const bool plated = root.has("shield_plates");
-  std::vector<std::string> kinds{"pressure", "block"};
+  std::vector<std::string> kinds{"pressure", "block", "slug"};
   if (plated) kinds.push_back("velocity");
   const std::string kind = section.choice("kind", kinds);
-  const bool pressed = kind == "pressure", blocked = kind == "block";
+  const bool pressed = kind == "pressure", fluid = kind == "slug", blocked = kind == "block" || fluid;
   const input::Section pressure = section.when(pressed), block = section.when(blocked);
   const bool all = pressure.choice_or("plugs", "small", {"small", "all"}) == "all";
   const auto value = input::read_expression(pressure, "value", input::of_time, input::read_unit(pressure, dim::stress));
@@ -152,8 +176,12 @@ void add_striker(const input::Section& root, const Head& head, const driver::Pla
                              .value = {value, model::constant(0), model::constant(0)}, .at = "struck_by"});
     return;
   }
+  const double outside = plated ? plates.radius : head.radii[0] - head.width / 2, top = lower_face(plates, 0) - gap;
+  if (fluid) {
+    add_slug(section, head, outside, lower_face(plates, 0), height, gap, speed, struck, level, part, interface, scene);
+    return;
+  }
   if (blocked) {
-    const double outside = plated ? plates.radius : head.radii[0] - head.width / 2, top = lower_face(plates, 0) - gap;
     scene.bodies.push_back({.name = "block", .mesh = ring(head.hole, outside, top - height, top, level, cells_in(height, level), part),
                             .law = steel, .at = "struck_by"});
     scene.contacts.push_back({.name = "blow", .apexes = "block.up_1", .base = struck, .height_from_thickness = false,
@@ -186,6 +214,9 @@ std::vector<model::Plane> planes_of(const model::Scene& scene, const Part& part,
   std::vector<model::Plane> planes{{.name = "hold", .kind = load::PlaneKind::constrained, .nodes = {face(junctures, "out_", 2)},
                                     .normal = Vec3::UnitZ(), .at = "head"}};
   if (rigid) planes[0].kind = load::PlaneKind::fixed, planes[0].nodes = {names[junctures]};
+  for (const model::Body& body : scene.bodies)
+    if (body.name == "core" || body.name == "sleeve")
+      planes.push_back({.name = "held_" + body.name, .kind = load::PlaneKind::fixed, .nodes = {body.name}, .at = "struck_by"});
   if (full) return planes;
   planes.push_back(plane("first_plane", mesh::first_plane_normal()));
   planes.push_back(plane("second_plane", mesh::second_plane_normal(part.angle)));

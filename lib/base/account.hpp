@@ -53,13 +53,13 @@ static_assert(words_of_dissipated.size() <= words_of_stored.size());
 enum class SourceKind {
   block, interface, rigid_plane,
   constrained, fixed, symmetry, floor, driven,          // planes
-  body_force, pressure, force, moment, spring, radiation,   // loads
+  body_force, pressure, force, moment, spring, radiation, bubble,   // loads
   relaxation, gravity
 };
 
-constexpr std::array<std::string_view, 16> words_of_source_kinds{
+constexpr std::array<std::string_view, 17> words_of_source_kinds{
     "block", "interface", "rigid_plane", "constrained", "fixed", "symmetry", "floor", "driven",
-    "body_force", "pressure", "force", "moment", "spring", "radiation", "relaxation", "gravity"};
+    "body_force", "pressure", "force", "moment", "spring", "radiation", "bubble", "relaxation", "gravity"};
 
 constexpr std::string_view word(SourceKind kind) { return words_of_source_kinds[static_cast<std::size_t>(kind)]; }
 

@@ -214,8 +214,8 @@ void visit(Archive& archive, Memory& memory) {
 
 template <class Archive>
 void visit(Archive& archive, LoadMemory& memory) {
-  auto& [force, moment, work, drag, stored, dissipated, impulse, angular_impulse] = memory;
-  archive(force, moment, work, drag, stored, dissipated, impulse, angular_impulse);
+  auto& [force, moment, work, drag, swept, stored, dissipated, impulse, angular_impulse] = memory;
+  archive(force, moment, work, drag, swept, stored, dissipated, impulse, angular_impulse);
 }
 
 }  // namespace load

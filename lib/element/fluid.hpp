@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "element/distortion.hpp"
 #include "element/hexahedron.hpp"
 #include "element/report.hpp"
 #include "element/viscosity.hpp"
@@ -16,21 +17,26 @@ namespace nereid::element {
 struct Fluid {
   static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
   static constexpr bool rotates = false, layered = false;
-  static constexpr std::array stored_channels{Stored::compression, Stored::cavitation, Stored::weight};
+  static constexpr std::array stored_channels{Stored::compression, Stored::cavitation, Stored::weight, Stored::distortion};
   static constexpr std::array dissipated_channels{Dissipated::viscous, Dissipated::hourglass};
 
   struct Options {
     double hourglass = usual_hourglass;  ///< [-] of dashpots that grow with the speed of hourglass motion
     Viscosity viscosity;
+    Distortion distortion{usual_distortion};  ///< over the bulk modulus at the start
     double pressure = 0;                 ///< [Pa] at the start, at the height of `level`
     std::array<double, 3> start_gravity{0, 0, 0};  ///< [m/s2] by which the pressure grows at the start: zero where it is even
     double level = 0;                    ///< [m2/s2] start_gravity . x where the pressure is `pressure`
     std::array<double, 3> gravity{0, 0, 0};        ///< [m/s2] of the scene
   };
   static constexpr double usual_hourglass = 1;
+  /// [-] The corner of a cell that closes with the speed v stops at about  usual_distortion c^2/v^2  of where the control begins.
+  static constexpr double usual_distortion = 1e-3;
 
   static bool has_weight(const Options& o) { return o.gravity[0] != 0 || o.gravity[1] != 0 || o.gravity[2] != 0; }
-  static bool has(const Options& o, Stored channel) { return channel != Stored::weight || has_weight(o); }
+  static bool has(const Options& o, Stored channel) {
+    return channel == Stored::weight ? has_weight(o) : channel != Stored::distortion || acts(o.distortion);
+  }
   static bool has(const Options& o, Dissipated channel) { return channel != Dissipated::hourglass || o.hourglass > 0; }
   /// How deep the element is behind a face of it, from its volume and the area of the face. [m]
   static double depth(const Options&, double volume, double area) { return volume / area; }
@@ -44,9 +50,14 @@ struct Fluid {
     T per_reference;      ///< [1/m3] of the volume at which the law has no pressure
     T pressure;           ///< [Pa] at the start
     T per_length;         ///< [1/m] of the cube of its volume at the start
+    T start;              ///< [m3] Jacobian of a corner below which distortion control acts
+    std::array<T, 8> per_node;  ///< [1/kg] of what each node has of the mass
     template <class F>
-    void each_row(F&& f) { f(mass), f(per_mass), f(per_reference), f(pressure), f(per_length); }
-    static constexpr int rows = 5;
+    void each_row(F&& f) {
+      f(mass), f(per_mass), f(per_reference), f(pressure), f(per_length), f(start);
+      for (T& row : per_node) f(row);
+    }
+    static constexpr int rows = 14;
   };
 
   /// What one element remembers from step to step.
@@ -56,6 +67,7 @@ struct Fluid {
     T viscous;                           ///< [Pa] mean stress, positive in tension; not stored without viscosity
     std::array<Vector<T>, 4> hourglass;  ///< [N] on the amplitudes, over eight; not stored without dashpots
     T weight;                            ///< [J] of add_weight(); not stored without gravity
+    T distortion;                        ///< [J] that distortion control stores; no row without it
     template <class F>
     void each_row(F&& f, const Options& options) {
       f(state.ratio), f(state.pressure), f(state.energy);
@@ -63,9 +75,11 @@ struct Fluid {
       if (options.hourglass > 0)
         for (auto& q : hourglass) f(q.x), f(q.y), f(q.z);
       if (has_weight(options)) f(weight);
+      if (acts(options.distortion)) f(distortion);
     }
     static constexpr int rows(const Options& options) {
-      return 3 + (acts(options.viscosity) ? 1 : 0) + (options.hourglass > 0 ? 12 : 0) + (has_weight(options) ? 1 : 0);
+      return 3 + (acts(options.viscosity) ? 1 : 0) + (options.hourglass > 0 ? 12 : 0) + (has_weight(options) ? 1 : 0) +
+             (acts(options.distortion) ? 1 : 0);
     }
   };
 };
@@ -75,12 +89,20 @@ NEREID_HOT Vector<T> gravity_of(const Fluid::Options& options) {
   return {T(options.gravity[0]), T(options.gravity[1]), T(options.gravity[2])};
 }
 
-/// Upper bound on the squared frequencies of one element:  8/(m V) K tr G,  G = V^2 B B^T; exact where it stands alone. [1/s2]
+/// The gradient of the volume by the nodes. [m2]
 template <class T>
-NEREID_HOT T largest_frequency_squared_of_fluid(const Gradient<T>& g, T per_mass, T modulus) {
-  const auto& h = g.hourglass;
-  const T sum = dot(g.xi, g.xi) + dot(g.eta, g.eta) + dot(g.zeta, g.zeta) + dot(h[0], h[0]) + dot(h[1], h[1]) + dot(h[2], h[2]);
-  return T(64.0) * per_mass * g.per_volume * modulus * sum;
+NEREID_HOT std::array<Vector<T>, 8> nodal_gradient(const Gradient<T>& g) {
+  const T zero(0.0);
+  return nodal_values(Modes<T>{g.xi, g.eta, g.zeta, {g.hourglass[0], g.hourglass[1], g.hourglass[2], {zero, zero, zero}}});
+}
+
+/// The squared frequency of one element alone:  K/V sum over the nodes of |dV/dx|^2 / m. [1/s2]
+template <class T>
+NEREID_HOT T squared_frequency_of_fluid(const std::array<Vector<T>, 8>& gradient, const std::array<T, 8>& per_node, T per_volume,
+                                        T modulus) {
+  T sum(0.0);
+  for (int a = 0; a < 8; ++a) sum = sum + per_node[a] * dot(gradient[a], gradient[a]);
+  return modulus * per_volume * sum;
 }
 
 /// What the viscosity of a fluid needs to know of a step.
@@ -110,14 +132,17 @@ struct AlongAxis {
 template <class T>
 NEREID_HOT AlongAxis<T> along_axis(const Vector<T>& half, const Vector<T>& moved, T most) {
   const T square = dot(half, half), strain = dot(half - T(0.5) * moved, moved) / square;
-  return {strain, larger(strain, -strain), smaller(T(2.0) * root(square), most)};
+  return {strain, larger(strain, -strain), root(smaller(T(4.0) * square, most * most))};
 }
+
+/// Longest length on which viscosity acts, over 2 c/omega: that of a cube, whose frequency is sqrt(3) 2 c/h. [-]
+constexpr double most_crossings_of_fluid = 1.7320508075688772;
 
 /// speed  c [m/s] of sound now;  omega_squared  [1/s2] bound on the squared frequencies
 template <class T>
 NEREID_HOT ViscousPressure<T> viscous_pressure(const Viscosity& viscosity, const FluidMotion<T>& m, T speed, T omega_squared,
                                                const Shares<T, 3>& share) {
-  const T zero(0.0), crossing = T(2.0) / root(omega_squared), most = T(most_crossings) * speed * crossing;
+  const T zero(0.0), crossing = T(2.0 * most_crossings_of_fluid) / root(omega_squared), most = speed * crossing;
   const T part = viscous_part(viscosity, crossing, m.growth / m.dt) / speed;
   const AlongAxis<T> xi = along_axis(m.xi, m.moved_xi, most), eta = along_axis(m.eta, m.moved_eta, most),
                      zeta = along_axis(m.zeta, m.moved_zeta, most);
@@ -176,7 +201,8 @@ NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& option
   const T ratio = at_end.volume * constants.per_reference, reference = one / constants.per_reference;
   const T before = memory.state.ratio, pressure = memory.state.pressure;
   const material::FluidResponse<T> response = update_pressure(law, ratio, memory.state);
-  const T omega_squared = largest_frequency_squared_of_fluid(at_end, constants.per_mass, response.modulus);
+  const std::array<Vector<T>, 8> gradient = nodal_gradient(at_end);
+  const T omega_squared = squared_frequency_of_fluid(gradient, constants.per_node, at_end.per_volume, response.modulus);
 
   ViscousPressure<T> viscous{zero, zero, {zero, zero, zero}};
   T viscous_work(zero);
@@ -189,33 +215,32 @@ NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& option
     memory.viscous = viscous.stress;
   }
 
-  const T mean = viscous.stress - memory.state.pressure;
-  Matrix<T> S{{mean, zero, zero}, {zero, mean, zero}, {zero, zero, mean}};
+  const T push = memory.state.pressure - viscous.stress;
+  for (int a = 0; a < 8; ++a) force[a] = push * gradient[a];
   HourglassDrag<T> drag{zero, zero};
   if (options.hourglass > 0) {
-    const Modes<T> middle = subtracted(X, half, D);
-    const Matrix<T> L = mean_gradient(D, volume_gradient(middle));
+    // by the gradient at the end, which a rigid rotation satisfies as well as that of the middle
+    const Matrix<T> L = mean_gradient(D, at_end);
     std::array<Vector<T>, 4> q;
-    for (int a = 0; a < 4; ++a) q[a] = D.hourglass[a] - L * middle.hourglass[a];
+    for (int a = 0; a < 4; ++a) q[a] = D.hourglass[a] - L * X.hourglass[a];
     drag = drag_hourglass(T(options.hourglass), constants.mass, constants.per_length, q, dt, memory.hourglass);
-    force = forces_of_stress(S, memory.hourglass, X, at_end);
-  } else {
-    Modes<T> F{mean * at_end.xi, mean * at_end.eta, mean * at_end.zeta, {}};
-    for (int a = 0; a < 3; ++a) F.hourglass[a] = mean * at_end.hourglass[a];
-    F.hourglass[3] = {zero, zero, zero};
-    force = nodal_values(scaled(T(-1.0), F));
+    const Vector<T> none{zero, zero, zero};
+    const std::array<Vector<T>, 8> more = forces_of_stress(Matrix<T>{none, none, none}, memory.hourglass, X, at_end);
+    for (int a = 0; a < 8; ++a) force[a] = force[a] + more[a];
   }
   memory.state.energy = memory.state.energy + viscous_work + drag.work * constants.per_reference;
 
   T lifted(zero);
   if (Fluid::has_weight(options)) {
-    const T now = add_weight(X, at_end, constants.mass, gravity_of<T>(options), force);
+    const T now = add_weight(x, X, at_end, constants.mass, constants.per_node, gravity_of<T>(options), force);
     lifted = now - memory.weight;
     memory.weight = now;
   }
-  return {.stored = {response.compression * reference, response.cavitation * reference, lifted},
+  const Controlled<T> controlled = control_distortion(options.distortion, bulk_modulus_at_start(law), law.density, constants.start,
+                                                      constants.per_mass, x, memory.distortion, force);
+  return {.stored = {response.compression * reference, response.cavitation * reference, lifted, controlled.stored},
           .dissipated = {viscous_work * reference, drag.work},
-          .step = stable_step(omega_squared, viscous.damping + drag.damping),
+          .step = stable_step(omega_squared + controlled.omega_squared, viscous.damping + drag.damping),
           .volume_ratio = at_end.volume * constants.per_length * constants.per_length * constants.per_length,
           .along = viscous.along};
 }
@@ -231,8 +256,12 @@ Fluid::Constants<double> constants(const Law& law, const Fluid::Options& options
   for (const Vector<double>& corner : X) mean = mean + 0.125 * corner;
   const double depth = dot(g, mean) + first_moment(modes, g).value / volume - options.level;
   const double pressure = options.pressure + law.density * depth;
-  return {.mass = mass, .per_mass = 1 / mass, .per_reference = start_at(law, pressure).ratio / volume, .pressure = pressure,
-          .per_length = 1 / std::cbrt(volume)};
+  Fluid::Constants<double> made{.mass = mass, .per_mass = 1 / mass, .per_reference = start_at(law, pressure).ratio / volume,
+                                .pressure = pressure, .per_length = 1 / std::cbrt(volume),
+                                .start = material::may_be_compressed<Law> ? -1e300 : start_of_control(X), .per_node = {}};
+  const std::array<double, 8> share = volume_shares(modes);
+  for (std::size_t a = 0; a < 8; ++a) made.per_node[a] = 1 / (law.density * share[a]);
+  return made;
 }
 
 /// What an element remembers at the start.

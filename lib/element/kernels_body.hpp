@@ -340,8 +340,11 @@ template <class Kind, class Law>
 void Kernels<Kind, Law>::add_mass(const Block<Kind, Law>& block, Scalars& mass) {
   each_element(block, [&](std::size_t pack, int lane, const auto& constants) {
     const Index element = block.tiling.element[pack * lanes + lane];
-    for (Index a = 0; a < block.nodes.rows(); ++a)
-      mass(block.nodes(a, element)) += constants.mass / static_cast<double>(block.nodes.rows());
+    for (Index a = 0; a < block.nodes.rows(); ++a) {
+      double& at_node = mass(block.nodes(a, element));
+      if constexpr (std::is_same_v<Kind, Fluid>) at_node += 1 / constants.per_node[static_cast<std::size_t>(a)];
+      else at_node += constants.mass / static_cast<double>(block.nodes.rows());
+    }
   });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The weight of a hexahedron of fluid: that of its mass at the centroid of its volume, and not at the mean of its nodes.
+// Where a hexahedron of fluid has its mass: what of it each node has, and its weight at the centroid of its volume.
 //
 // With pressures that rise by density g from centroid to centroid, a fluid below a level surface is at rest on any mesh: the sum of the
 // forces is the gradient of the integral of the hydrostatic pressure over the volume of the body, which no node inside it changes. For the
@@ -49,13 +49,37 @@ NEREID_HOT FirstMoment<T> first_moment(const Modes<T>& X, const Vector<T>& g) {
   return m;
 }
 
+/// The integrals of the shape functions over the volume. [m3]
+///
+/// Masses of the nodes go with them, as the forces of a pressure that rises evenly do: then it accelerates all nodes alike, also those of
+/// wedges, at whose axis two nodes have a third of the volume.
+///
+/// X  [m] amplitudes
+inline std::array<double, 8> volume_shares(const Modes<double>& X) {
+  constexpr double at = 0.57735026918962576;
+  constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
+  const auto& [h0, h1, h2, h3] = X.hourglass;
+  std::array<double, 8> share{};
+  for (const auto& point : sign) {
+    const double xi = at * point[0], eta = at * point[1], zeta = at * point[2];
+    const Vector<double> a = X.xi + zeta * h1 + eta * h2 + eta * zeta * h3, b = X.eta + zeta * h0 + xi * h2 + zeta * xi * h3,
+                         c = X.zeta + eta * h0 + xi * h1 + xi * eta * h3;
+    const double volume = dot(a, cross(b, c));
+    for (std::size_t node = 0; node < 8; ++node)
+      share[node] += 0.125 * (1 + sign[node][0] * xi) * (1 + sign[node][1] * eta) * (1 + sign[node][2] * zeta) * volume;
+  }
+  return share;
+}
+
 /// Adds to the nodal forces what the weight at the centroid differs from weights at the nodes:
 ///
-///     U = -mass g . (centroid - mean of the nodes),     f = -dU/dx;  they have no resultant
+///     U = -mass g . centroid + sum over the nodes of m g . x,     f = -dU/dx;  they have no resultant
 ///
+/// x  [m] of the nodes, and their amplitudes;  per_node  [1/kg]
 /// returns  U [J]
 template <class T>
-NEREID_HOT T add_weight(const Modes<T>& X, const Gradient<T>& gradient, T mass, const Vector<T>& g, std::array<Vector<T>, 8>& force) {
+NEREID_HOT T add_weight(const std::array<Vector<T>, 8>& x, const Modes<T>& X, const Gradient<T>& gradient, T mass,
+                        const std::array<T, 8>& per_node, const Vector<T>& g, std::array<Vector<T>, 8>& force) {
   const FirstMoment<T> m = first_moment(X, g);
   const T way = m.value * gradient.per_volume, eight(8.0), part = T(0.125) * mass * gradient.per_volume;
   Modes<T> F = m.by;
@@ -65,8 +89,13 @@ NEREID_HOT T add_weight(const Modes<T>& X, const Gradient<T>& gradient, T mass, 
   for (int a = 0; a < 3; ++a) F.hourglass[a] = part * (F.hourglass[a] - eight * way * gradient.hourglass[a]);
   F.hourglass[3] = part * F.hourglass[3];
   const std::array<Vector<T>, 8> more = nodal_values(F);
-  for (int node = 0; node < 8; ++node) force[node] = force[node] + more[node];
-  return -(mass * way);
+  T at_nodes(0.0);  // sum of m g . x less that of the mean
+  for (int node = 0; node < 8; ++node) {
+    const T beyond = T(1.0) / per_node[node] - T(0.125) * mass;
+    at_nodes = at_nodes + beyond * dot(g, x[node]);
+    force[node] = force[node] + more[node] - beyond * g;
+  }
+  return at_nodes - mass * way;
 }
 
 }  // namespace nereid::element

@@ -60,9 +60,10 @@ std::string read_table(const std::string& name, Variables variables, const InUni
   if (const auto* wrong = std::get_if<std::string>(&parsed)) return quote(file) + ": " + *wrong;
   const Table& table = std::get<Table>(parsed);
   const bool of_time = variables.time && table.of_argument == dim::time, of_place = variables.place && table.of_argument == dim::length;
-  if (!of_time && !of_place)
+  const bool of_volume = variables.volume && table.of_argument == dim::volume;
+  if (!of_time && !of_place && !of_volume)
     return quote(file) + ": the first column has the dimension [" + describe(table.of_argument) + "]: expected a " +
-           (variables.time ? variables.place ? "time or a length" : "time" : "length");
+           (variables.volume ? "volume" : variables.time ? variables.place ? "time or a length" : "time" : "length");
   if (!(table.of_value == unit.dimension))
     return quote(file) + ": its values have the dimension [" + describe(table.of_value) + "]: expected [" + describe(unit.dimension) +
            "], for example '" + si_unit(unit.dimension) + "'";
@@ -71,7 +72,7 @@ std::string read_table(const std::string& name, Variables variables, const InUni
 }
 
 std::string allowed(Variables variables) {
-  return std::string(variables.place ? "x, y, z, " : "") + (variables.time ? "t, " : "") + "pi";
+  return std::string(variables.place ? "x, y, z, " : "") + (variables.time ? "t, " : "") + (variables.volume ? "v, " : "") + "pi";
 }
 
 /// muParser takes `t = 3` for an assignment to a variable; a text that does not compare is meant to.
@@ -124,6 +125,7 @@ std::variant<Expression, TextFault> parse_expression(const std::string& text, Va
       bound->parser.DefineVar("z", &bound->z);
     }
     if (variables.time) bound->parser.DefineVar("t", &bound->t);
+    if (variables.volume) bound->parser.DefineVar("v", &bound->t);
     bound->parser.SetExpr(text);
     int values = 0;
     bound->parser.Eval(values);

@@ -22,10 +22,12 @@ using Expression = std::function<double(double x, double y, double z, double t)>
 struct Variables {
   bool place = false;  ///< x, y, z
   bool time = false;   ///< t
+  bool volume = false; ///< v [m3], which takes the place of t
 };
 inline constexpr Variables of_time{.place = false, .time = true};
 inline constexpr Variables of_place{.place = true, .time = false};
 inline constexpr Variables of_both{.place = true, .time = true};
+inline constexpr Variables of_volume{.volume = true};
 
 /// What an expression is multiplied by to be in SI, and of what it is.
 struct InUnit {

@@ -29,7 +29,10 @@ model::Load read_load(const Section& section) {
     return load;
   }
   const InUnit unit = read_unit(section, dimension_of(syntax.unit));
-  const Variables variables = syntax.over_place ? of_both : of_time;
+  const bool is_bubble = load.kind == model::LoadKind::bubble;
+  const Variables variables = is_bubble ? of_volume : syntax.over_place ? of_both : of_time;
+  const double volume = section.when(is_bubble).quantity("volume", dim::volume, positive);
+  if (is_bubble) load.volume = volume;
   load.value = syntax.is_vector ? read_expressions(section, "value", variables, unit)
                                 : model::Field{read_expression(section, "value", variables, unit), model::constant(0), model::constant(0)};
   const bool radiates = load.kind == model::LoadKind::radiation;

@@ -133,6 +133,7 @@ element::Fluid::Options read_fluid_options(const Section& section) {
   element::Fluid::Options options;
   options.hourglass = section.number_or("hourglass", options.hourglass, model::range::hourglass_of_fluids);
   options.viscosity = read_viscosity(section);
+  options.distortion.stiffness = section.number_or("distortion", options.distortion.stiffness, model::range::distortion);
   return options;
 }
 

@@ -37,7 +37,7 @@ element::Hexahedron::Options read_one_point_options(const Section&);
 /// kind_key  a driver may call the kind by the name of the body
 element::AnyHexahedronOptions read_hexahedron_options(const Section&, std::string_view kind_key = "kind");
 
-/// Optional `hourglass` of fluids, not negative, and the viscosity.
+/// Optional `hourglass` of fluids, not negative, `distortion` and the viscosity.
 element::Fluid::Options read_fluid_options(const Section&);
 
 /// `thickness`, optional `layers` (1 to 9), `rotary_inertia: scaled | physical`, `thinning: by_law | constant |

@@ -43,33 +43,51 @@ void set_forces(const BodyForce& load, const Vectors& X, const Vectors&, const V
 
 /// Calls visit(place, area) for the corners of the faces of a surface: areas along their outward normals, of a hexahedron's face
 /// (A n + T n)/6 with T of the triangle at the corner, so that they are the gradient of the enclosed volume. [m2]
-template <class Visit>
-void each_corner_area(const Table<4>& corners, const Subset& nodes, const Vectors& x, Visit&& visit) {
+///
+/// at  the position of a node [m]
+template <class At, class Visit>
+void each_corner_area(const Table<4>& corners, const Subset& nodes, At&& at, Visit&& visit) {
   for (Eigen::Index face = 0; face < corners.cols(); ++face) {
     const auto corner = corners.col(face);
     const int count = corner(3) < 0 ? 3 : 4;
     std::array<Vec3, 4> twice;  // areas of the triangles at the corners, along their normals
     Vec3 sum = Vec3::Zero();
     for (int a = 0; a < count; ++a) {
-      const Vec3 here = x.col(nodes[corner(a)]);
-      const Vec3 to_next = x.col(nodes[corner((a + 1) % count)]) - here;
-      const Vec3 to_last = x.col(nodes[corner((a + count - 1) % count)]) - here;
+      const Vec3 here = at(nodes[corner(a)]);
+      const Vec3 to_next = at(nodes[corner((a + 1) % count)]) - here;
+      const Vec3 to_last = at(nodes[corner((a + count - 1) % count)]) - here;
       sum += twice[a] = to_next.cross(to_last);
     }
     for (int a = 0; a < count; ++a) visit(corner(a), count == 3 ? Vec3(sum / 18) : Vec3((sum / 2 + twice[a]) / 12));
   }
 }
 
+/// The positions of a state, for each_corner_area().
+auto positions(const Vectors& x) {
+  return [&x](Index node) -> Vec3 { return x.col(node); };
+}
+
 void set_forces(const Pressure& load, const Vectors&, const Vectors& x, const Vectors&, double t, double, LoadMemory& memory) {
   const double pressure = load.pressure(t);
   memory.force.setZero();
-  each_corner_area(load.corners, load.nodes, x, [&](Index place, const Vec3& area) { memory.force.col(place) -= pressure * area; });
+  each_corner_area(load.corners, load.nodes, positions(x), [&](Index place, const Vec3& area) { memory.force.col(place) -= pressure * area; });
+}
+
+void set_forces(const Bubble& load, const Vectors&, const Vectors& x, const Vectors& v, double, double dt, LoadMemory& memory) {
+  const auto before = [&](Index node) -> Vec3 { return x.col(node) - dt * v.col(node); };
+  const auto sweep = [&](Index place, const Vec3& area) { memory.swept -= 0.5 * dt * area.dot(v.col(load.nodes[place])); };
+  each_corner_area(load.corners, load.nodes, before, sweep);
+  each_corner_area(load.corners, load.nodes, positions(x), sweep);
+  const double pressure = load.pressure(load.volume + memory.swept);
+  memory.force.setZero();
+  each_corner_area(load.corners, load.nodes, positions(x),
+                   [&](Index place, const Vec3& area) { memory.force.col(place) -= pressure * area; });
 }
 
 void set_forces(const Radiation& load, const Vectors&, const Vectors& x, const Vectors& v, double t, double, LoadMemory& memory) {
   const double pressure = load.pressure(t) + 2 * load.incident(t);
   memory.force.setZero(), memory.drag.setZero();
-  each_corner_area(load.corners, load.nodes, x, [&](Index place, const Vec3& area) {
+  each_corner_area(load.corners, load.nodes, positions(x), [&](Index place, const Vec3& area) {
     memory.force.col(place) -= pressure * area;
     const double size = area.norm();
     if (size > 0) memory.drag.col(place) -= load.impedance / size * area.dot(v.col(load.nodes[place])) * area;
@@ -168,6 +186,12 @@ Pressure pressure_on(const std::string& name, const mesh::Mesh& mesh, const mesh
   return load;
 }
 
+Bubble bubble_under(const std::string& name, const mesh::Mesh& mesh, const mesh::Surface& surface, OverTime pressure, double volume) {
+  Pressure same = pressure_on(name, mesh, surface, std::move(pressure));
+  return {.name = name, .nodes = std::move(same.nodes), .corners = std::move(same.corners), .pressure = std::move(same.pressure),
+          .volume = volume};
+}
+
 Radiation radiation_from(const std::string& name, const mesh::Mesh& mesh, const mesh::Surface& surface, OverTime pressure,
                          OverTime incident, double impedance) {
   Pressure same = pressure_on(name, mesh, surface, std::move(pressure));
@@ -192,6 +216,7 @@ AnyLoad in_stage(const AnyLoad& any, bool is_on, double start) {
   const auto set_all = [&](auto& values) { for (auto& value : values) set(value); };
   if (auto* force = std::get_if<BodyForce>(&changed)) set_all(force->acceleration);
   if (auto* pressure = std::get_if<Pressure>(&changed)) set(pressure->pressure);
+  if (auto* bubble = std::get_if<Bubble>(&changed); bubble != nullptr && !is_on) bubble->pressure = [](double) { return 0.0; };
   if (auto* radiation = std::get_if<Radiation>(&changed)) set(radiation->pressure), set(radiation->incident);
   if (auto* force = std::get_if<NodalForce>(&changed)) set_all(force->force);
   if (auto* moment = std::get_if<NodalMoment>(&changed)) set_all(moment->moment);
@@ -205,7 +230,7 @@ const std::string& name(const AnyLoad& any) {
 
 Source source(const AnyLoad& any) {
   constexpr std::array kinds{SourceKind::body_force, SourceKind::pressure, SourceKind::force,  SourceKind::moment,
-                             SourceKind::moment,     SourceKind::spring,   SourceKind::radiation};
+                             SourceKind::moment,     SourceKind::spring,   SourceKind::radiation, SourceKind::bubble};
   static_assert(std::variant_size_v<AnyLoad> == kinds.size());
   if (is_spring(any)) return {name(any), SourceKind::spring, {Stored::elastic}, {Dissipated::damping}};
   if (std::holds_alternative<Radiation>(any))
@@ -295,7 +320,7 @@ SpringRates spring_rates(const std::vector<AnyLoad>& loads, const Vectors& X, co
   SpringRates rates;
   for (const AnyLoad& any : loads)
     if (const auto* radiation = std::get_if<Radiation>(&any)) {
-      each_corner_area(radiation->corners, radiation->nodes, X, [&](Index place, const Vec3& area) {
+      each_corner_area(radiation->corners, radiation->nodes, positions(X), [&](Index place, const Vec3& area) {
         const Index node = radiation->nodes[place];
         at_node[node][1] += radiation->impedance * area.norm() / mass(node);
       });

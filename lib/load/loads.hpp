@@ -36,6 +36,18 @@ struct Pressure {
   OverTime pressure; ///< [Pa]
 };
 
+/// Pressure on a surface, of a bubble that grows as the surface gives way.
+///
+/// The volume of the bubble is that of the start and what the surface has swept since, by the trapezoid rule over the steps. Forces are those
+/// of a Pressure.
+struct Bubble {
+  std::string name;
+  Subset nodes;       ///< of the surface, ascending
+  Table<4> corners;   ///< as of a Pressure
+  OverTime pressure;  ///< [Pa] over the volume [m3]
+  double volume;      ///< [m3] at the start
+};
+
 /// A surface beyond which a fluid or solid goes on: waves leave through it, and one may come in.
 ///
 /// The pressure on it is  p + 2 p_in + Z v_n,  v_n the velocity along the outward normal and Z = density c. A plane wave along the normal
@@ -88,7 +100,7 @@ struct Spring {
 };
 
 /// Every load that exists.
-using AnyLoad = std::variant<BodyForce, Pressure, NodalForce, NodalMoment, Couple, Spring, Radiation>;
+using AnyLoad = std::variant<BodyForce, Pressure, NodalForce, NodalMoment, Couple, Spring, Radiation, Bubble>;
 
 /// Mass that belongs to no element, shared equally among nodes.
 struct PointMass {
@@ -103,6 +115,7 @@ struct LoadMemory {
   Vectors moment;                       ///< [N m] now, [3 x nodes of the load]; of a NodalMoment only
   double work = 0;                      ///< [J] done on the nodes
   Vectors drag;                         ///< [N] the part of `force` that dashpots exert; of Radiation only
+  double swept = 0;                     ///< [m3] by which a Bubble has grown
   double stored = 0, dissipated = 0;    ///< [J] of a spring: 1/2 k (l - l0)^2 now; by its dashpot so far. Of Radiation: what left
   Vec3 impulse = Vec3::Zero();          ///< [N s] given to the nodes
   Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] about the origin
@@ -110,6 +123,7 @@ struct LoadMemory {
 
 /// Builders; the nodes of a pressure are those of its surface.
 Pressure pressure_on(const std::string& name, const mesh::Mesh&, const mesh::Surface&, OverTime);
+Bubble bubble_under(const std::string& name, const mesh::Mesh&, const mesh::Surface&, OverTime pressure, double volume);
 Radiation radiation_from(const std::string& name, const mesh::Mesh&, const mesh::Surface&, OverTime pressure, OverTime incident,
                          double impedance);
 /// Without a length the spring starts without force. Throws InternalError for a node that is not in X.

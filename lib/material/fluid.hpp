@@ -39,6 +39,10 @@ concept FluidLaw = requires(const L& law, FluidState<double>& state, double numb
 /// What results show of a fluid beside its pressure.
 constexpr std::array<Variable, 3> shown_of_fluids{{{"density", "kg/m^3"}, {"internal_energy", "J/kg"}, {"void_fraction", "1"}}};
 
+/// Whether a law is of a gas, which may lose most of its volume: distortion control, which begins at a part of it, is left out.
+template <class L>
+constexpr bool may_be_compressed = false;
+
 /// Moduli of a fluid at the start, for contact and forecasts: lambda is the bulk modulus.
 template <FluidLaw L>
 Lame lame(const L& law) {

@@ -28,6 +28,9 @@ NEREID_HOT FluidResponse<T> update_pressure(const IdealGas& law, T ratio, FluidS
 template <class T>
 NEREID_HOT T void_part(const IdealGas&, const FluidState<T>&) { return T(0.0); }
 
+template <>
+constexpr bool may_be_compressed<IdealGas> = true;
+
 static_assert(FluidLaw<IdealGas>);
 
 }  // namespace nereid::material

@@ -34,7 +34,7 @@ NEREID_HOT FluidResponse<T> update_pressure(const LinearFluid& law, T ratio, Flu
   const T compression = half * K * (now - before) * (now + before);
   const T cavitation = T(-law.cutoff) * (larger(ratio, open) - larger(state.ratio, open));
   state = {ratio, K * now, state.energy + compression};
-  return {compression, cavitation, K * ratio};
+  return {compression, cavitation, K * whole(ratio)};
 }
 
 template <class T>

@@ -54,7 +54,8 @@ NEREID_HOT FluidResponse<T> update_pressure(const MieGruneisen& law, T ratio, Fl
   const T gamma(law.gamma);
   const ColdPressure<T> cold = cold_pressure(law, T(1.0) - ratio);
   FluidResponse<T> response = carry_over(cold.value, gamma, ratio, T(law.cutoff), state);
-  response.modulus = ratio * (cold.slope + gamma * state.pressure);
+  const T now = ratio * (cold.slope + gamma * state.pressure);
+  response.modulus = select(state.pressure <= T(law.cutoff), smaller(now, T(bulk_modulus_at_start(law))), now);  // bubbles have none
   return response;
 }
 

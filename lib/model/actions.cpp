@@ -181,7 +181,9 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
     return;
   }
   for (const load::OverSpace& value : load.value)
-    if (value) refuse_infinite(faults, part("load", load), "value", value(0, 0, 0, 0), "t = 0");
+    if (value)
+      refuse_infinite(faults, part("load", load), "value", value(0, 0, 0, load.kind == LoadKind::bubble ? load.volume : 0),
+                      load.kind == LoadKind::bubble ? "the volume of the start" : "t = 0");
   const std::array<load::OverTime, 3> values{over_time(load.value[0]), over_time(load.value[1]), over_time(load.value[2])};
   switch (load.kind) {
     case LoadKind::pressure:
@@ -209,6 +211,11 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
                                                     load.incident[0] ? over_time(load.incident[0]) : none, impedance));
       break;
     }
+    case LoadKind::bubble:
+      if (mesh::has_both_sides(mesh::surface(model.mesh, load.on).facets))
+        refuse(faults, part("load", load), "surface", quote(load.on) + " has plates from both sides: a bubble lies on one of them");
+      model.loads.emplace_back(load::bubble_under(load.name, model.mesh, mesh::surface(model.mesh, load.on), values[0], load.volume));
+      break;
     case LoadKind::body_force: break;  // above
   }
 }

@@ -148,19 +148,20 @@ struct RigidPlane {
   std::string at = {};
 };
 
-enum class LoadKind { pressure, force, moment, body_force, radiation };
+enum class LoadKind { pressure, force, moment, body_force, radiation, bubble };
 
 /// What is said of a load in a case: the word of its kind, the key of what it acts on, and its value.
 struct LoadSyntax {
   const char *word, *key, *unit;
-  bool is_vector, over_place;                ///< three values or one; functions of place and time, or of time
+  bool is_vector, over_place;                ///< three values or one; functions of place and time, or of time (a bubble's: of its volume)
 };
-constexpr std::array<LoadSyntax, 5> load_syntax{{  // in the order of LoadKind
+constexpr std::array<LoadSyntax, 6> load_syntax{{  // in the order of LoadKind
     {"pressure", "surface", "Pa", false, false},
     {"force", "nodes", "N", true, false},
     {"moment", "nodes", "N m", true, false},
     {"body_force", "body", "m/s^2", true, true},
     {"radiation", "surface", "Pa", false, false},
+    {"bubble", "surface", "Pa", false, false},
 }};
 
 struct Load {
@@ -169,6 +170,7 @@ struct Load {
   std::string on;                            ///< surface, node set or body
   Field value = {};                          ///< in the unit of load_syntax; of a pressure the first, of radiation that at rest
   Field incident = {};                       ///< [Pa] of radiation: the first is the wave that comes in; may be empty
+  double volume = 0;                         ///< [m3] of a bubble at the start; its value is a function of the volume, in place of time
   std::optional<double> impedance = {};      ///< [kg/(m2 s)] of radiation; without it that of the material at the surface
   std::string at = {};
 };

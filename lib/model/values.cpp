@@ -122,7 +122,8 @@ Values own(const element::FullHexahedron::Options& options) {
   return {{"element.distortion", options.distortion.stiffness, range::distortion}};
 }
 Values own(const element::Fluid::Options& options) {
-  return {{"element.hourglass", options.hourglass, range::hourglass_of_fluids}};
+  return {{"element.hourglass", options.hourglass, range::hourglass_of_fluids},
+          {"element.distortion", options.distortion.stiffness, range::distortion}};
 }
 Values own(const element::Plate::Options& options) {
   return {{"element.thickness", options.thickness, positive, "m"},
@@ -209,9 +210,10 @@ void check_wall(const RigidPlane& plane, Faults& faults) {
 
 void check_load(const Load& load, Faults& faults) {
   const Part here = part("load", load);
-  if (!check(faults, here, {kind("kind", load.kind, LoadKind::radiation)})) return;
+  if (!check(faults, here, {kind("kind", load.kind, LoadKind::bubble)})) return;
   check(faults, here, {{"impedance", load.impedance.value_or(1), positive, "kg/(m^2*s)"}});
-  if (load.kind != LoadKind::pressure && load.kind != LoadKind::radiation) check_functions(faults, here, "value", load.value, false);
+  if (load.kind == LoadKind::bubble) check(faults, here, {{"volume", load.volume, positive, "m^3"}});
+  if (load.kind != LoadKind::pressure && load.kind != LoadKind::radiation && load.kind != LoadKind::bubble) check_functions(faults, here, "value", load.value, false);
   else if (!load.value[0]) refuse(faults, here, "value", "'value' needs a function");
 }
 

@@ -228,7 +228,9 @@ TYPED_TEST(FluidOf, HasTheStableStepOfItsOneFrequencyAtNoPressureDifference) {
         nodal_values(Modes<double>{g.xi, g.eta, g.zeta, {g.hourglass[0], g.hourglass[1], g.hourglass[2], Point{}}});
     auto state = e.memory.state;
     const double K = update_pressure(e.law, state.ratio, state).modulus;
-    const double exact = std::sqrt(8 / e.constants.mass * K / g.volume * product(gradient, gradient));
+    double squares = 0;
+    for (std::size_t a = 0; a < 8; ++a) squares += dot(gradient[a], gradient[a]) * e.constants.per_node[a];
+    const double exact = std::sqrt(K / g.volume * squares);
     EXPECT_NEAR(step, 2 / exact, 1e-9 * step);
   }
 }
@@ -276,7 +278,20 @@ TEST(Fluid, HourglassMotionGoesByALogarithm) {
 }
 
 // ------------------------------------------------------------------------------------------------
-// Weight
+// Weight, and where the mass is
+
+TEST(Fluid, MassesOfTheNodesAreWhatAnEvenlyRisingPressureAcceleratesAlike) {
+  // a wedge: nodes 0 and 3, 4 and 7 are one each; pressure below and none above
+  const Corners wedge{{{0, 0, 0}, {1, 0, 0}, {0.9, 0.4, 0}, {0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {0.9, 0.4, 1}, {0, 0, 1}}};
+  const std::array<double, 8> share = volume_shares(amplitudes(wedge));
+  double sum = 0;
+  for (const double part : share) sum += part;
+  const double volume = volume_gradient(amplitudes(wedge)).volume;
+  EXPECT_NEAR(sum, volume, 1e-14);
+  EXPECT_NEAR(share[0] + share[3], volume / 6, 1e-14);
+  const auto gradient = nodal_gradient(volume_gradient(amplitudes(wedge)));
+  for (std::size_t node = 4; node < 8; ++node) EXPECT_NEAR(gradient[node].z / share[node], 2, 1e-12);
+}
 
 TEST(Fluid, WeightIsTheGradientOfTheHeightOfTheCentroid) {
   using D = Dual<24>;
@@ -286,16 +301,23 @@ TEST(Fluid, WeightIsTheGradientOfTheHeightOfTheCentroid) {
     std::array<Vector<D>, 8> variable, none{};
     for (int i = 0; i < 24; ++i) variable[i / 3][i % 3] = D(0.125) * D::variable(x[i / 3][i % 3], i);
     const auto X = sums_by_mode(variable);
-    const D energy = add_weight(X, volume_gradient(X), D(1.7), Vector<D>{D(g.x), D(g.y), D(g.z)}, none);
+    std::array<Vector<D>, 8> whole = variable;
+    for (auto& p : whole) p = D(8.0) * p;
+    const std::array<double, 8> share = volume_shares(amplitudes(x));
+    const double density = 1.7 / volume_gradient(amplitudes(x)).volume;
+    std::array<double, 8> per_node;
+    std::array<D, 8> per_dual;
+    for (std::size_t a = 0; a < 8; ++a) per_node[a] = 1 / (density * share[a]), per_dual[a] = D(per_node[a]);
+    const D energy = add_weight(whole, X, volume_gradient(X), D(1.7), per_dual, Vector<D>{D(g.x), D(g.y), D(g.z)}, none);
     Corners force{};
     const auto at = amplitudes(x);
-    const double value = add_weight(at, volume_gradient(at), 1.7, g, force);
+    const double value = add_weight(x, at, volume_gradient(at), 1.7, per_node, g, force);
     EXPECT_NEAR(value, energy.value, 1e-13);
     for (int i = 0; i < 24; ++i) EXPECT_NEAR(force[i / 3][i % 3], -energy.by[i], 1e-12);
     double volume = 0, moment = 0;
     integrate_places(x, [&](const Point& place, double det) { volume += det, moment += det * dot(g, place); });
     Point mean{};
-    for (const Point& p : x) mean = mean + 0.125 * p;
+    for (std::size_t a = 0; a < 8; ++a) mean = mean + (share[a] * density / 1.7) * x[a];
     EXPECT_NEAR(value, -1.7 * (moment / volume - dot(g, mean)), 1e-13);
     Point sum{};
     for (const Point& f : force) sum = sum + f;
