@@ -127,7 +127,7 @@ void add_plates(const driver::Plates& plates, const Head& head, int level, const
   }
 }
 
-/// A slug of fluid below what it strikes, between rigid walls along its hole and around it, which reach up to the face that is struck.
+/// A slug of fluid below what it strikes, between rigid walls along its hole and around it, which reach up to the small plug.
 void add_slug(const input::Section& section, const Head& head, double outside, double top, double height, double gap, double speed,
               const std::string& struck, int level, const Part& part, const dynamics::InterfaceOptions& interface, model::Scene& scene) {
   constexpr double thin = 0.05;  // [m] of the walls, which are held: their thickness is of no matter
@@ -138,8 +138,8 @@ void add_slug(const input::Section& section, const Head& head, double outside, d
   if (material.sound() && !material::is_fluid(slug.law)) section.fault("material", "the slug is a fluid: expected mie_gruneisen, linear_fluid");
   scene.bodies.push_back(slug);
   const auto wall = [&](const char* name, double inner, double outer, const char* own, const char* of_slug) {
-    const double low = top - gap - height;
-    scene.bodies.push_back({.name = name, .mesh = ring(inner, outer, low, top, level, cells_in(top - low, level), part),
+    const double low = top - gap - height;  // up to the small plug
+    scene.bodies.push_back({.name = name, .mesh = ring(inner, outer, low, 0, level, cells_in(-low, level), part),
                             .law = material::Elastic{7850, 200e9, 0.3}, .at = "struck_by"});
     scene.contacts.push_back({.name = std::string("along_") + name, .apexes = std::string("slug.") + of_slug,
                               .base = std::string(name) + "." + own, .height_from_thickness = false, .interface = interface,
@@ -149,6 +149,7 @@ void add_slug(const input::Section& section, const Head& head, double outside, d
   scene.contacts.push_back({.name = "blow", .apexes = "slug.up_1", .base = struck, .height_from_thickness = false, .interface = interface,
                             .at = "contact"});
   scene.initial = {{.body = "slug", .value = model::uniform({0, 0, speed})}};
+  driver::add_probes("slug", "slug", scene);
 }
 
 /// What strikes the head from below: a pressure on some plugs, a block or a slug under the small one, or a velocity of the lowest plate.

@@ -16,6 +16,7 @@ NUMERICS = {"element": ELEMENT, "viscosity": {"linear": 0.06, "quadratic": 1.0},
             "time": {"safety": 0.9, "created_limit": 0.05, "overlap_limit": 0.5, "corner_limit": 0},
             "relaxation": {"residual": 1e-6, "samples": 5}}
 OF_KIND = {"stiffness": 0.1, "viscous": 0.05}  # the default of `hourglass`
+OF_FLUIDS = {"distortion": 0.001}  # whose elements have no kind
 WORDS = {"kind": "integration", "lead": "integration", "linear": "viscosity", "quadratic": "viscosity"}
 
 
@@ -42,6 +43,8 @@ def departures(run):
 
 def usual(section, key, node):
     """The default of a key beside the others of its section."""
+    if section == "element" and key in OF_FLUIDS and not any(word in node for word in ("kind", "lead")):
+        return OF_FLUIDS[key]
     kind = node.get("hourglass_kind", {}).get("value")
     return OF_KIND.get(kind, NUMERICS[section][key]) if key == "hourglass" else NUMERICS[section][key]
 

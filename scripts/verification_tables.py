@@ -11,7 +11,7 @@ import verify
 
 BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
 PAGE = "docs/verified.md"  # holds the table of all cases
-SECTIONS = {"E": "Elements", "P": "Plates", "M": "Materials", "I": "Impact", "C": "Contact", "W": "Whole problems",
+SECTIONS = {"E": "Elements", "P": "Plates", "M": "Materials", "I": "Impact", "C": "Contact", "F": "Fluids", "W": "Whole problems",
             "invariant": "Invariants", "": "Others"}
 ROUNDING = 1e-8
 

@@ -413,9 +413,9 @@ void by_lane(const element::Tiling& tiling, const std::vector<double>& values, s
 std::string bytes_of(const Model& model, const State& state) {
   Writer writer;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-    const auto& [rows, along, work, stored, dissipated] = state.blocks[b];
+    const auto& [rows, along, work, stored, dissipated, arm, angular_impulse] = state.blocks[b];
     const element::Tiling& tiling = element::tiling(model.blocks[b]);
-    writer(by_element(tiling, rows), by_element(tiling, along), work, stored, dissipated);
+    writer(by_element(tiling, rows), by_element(tiling, along), work, stored, dissipated, arm, angular_impulse);
   }
   visit_rest(writer, const_cast<State&>(state));  // which names members and changes none
   return writer.bytes();
@@ -427,7 +427,7 @@ State state_of(const Model& model, std::string_view bytes) {
   for (const element::AnyBlock& block : model.blocks) {
     element::Memory memory = element::initial_memory(block);
     std::vector<double> values, along;
-    reader(values, along, memory.work, memory.stored, memory.dissipated);
+    reader(values, along, memory.work, memory.stored, memory.dissipated, memory.arm, memory.angular_impulse);
     by_lane(element::tiling(block), values, memory.rows);
     by_lane(element::tiling(block), along, memory.along);
     state.blocks.push_back(std::move(memory));

@@ -66,7 +66,7 @@ element::BlockLimit displace(const Model& model, State& now, const Vectors& u, c
       if (limit.volume_ratio < smallest.volume_ratio || std::isnan(limit.volume_ratio)) smallest = limit;
     }
   }
-  for (element::Memory& block : now.blocks) block.work = 0, block.dissipated = {};
+  for (element::Memory& block : now.blocks) block.work = 0, block.dissipated = {}, block.angular_impulse.setZero();
   return smallest;
 }
 

@@ -87,6 +87,7 @@ std::vector<Dissipated> dissipated_channels(const AnyBlock& any) {
 
 void post(const AnyBlock& any, const Memory& memory, Account& account) {
   account.work = memory.work;
+  account.angular_impulse = memory.angular_impulse;
   std::visit(
       [&]<class Kind, class Law>(const Block<Kind, Law>&) {  // channels that these options do not use stay zero
         for (const Stored channel : Kind::stored_channels) account.hold(channel, memory.stored[channel]);

@@ -70,6 +70,8 @@ struct Memory {
   double work = 0;                  ///< [J] done on the nodes
   Channels<Stored> stored;          ///< [J]
   Channels<Dissipated> dissipated;  ///< [J]
+  Vec3 arm = Vec3::Zero();          ///< [kg m] sum of Report::arm now, of fluids with weight
+  Vec3 angular_impulse = Vec3::Zero();  ///< [N m s] of that weight
 };
 
 /// Forces that a block's tiles exert on their slots. A restart needs them: the work of the next step is half theirs.
@@ -116,6 +118,7 @@ struct TileReport {
   Channels<Dissipated> dissipated;
   double step, volume_ratio;
   Index step_element, volume_element;
+  std::array<double, 3> arm;
 };
 
 /// Scratch of a step of a block.

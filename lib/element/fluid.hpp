@@ -15,10 +15,10 @@ namespace nereid::element {
 
 /// The hexahedron of fluid as a kind of element: what it is made of and what it remembers.
 struct Fluid {
-  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
+  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6, arms = 3;
   static constexpr bool rotates = false, layered = false;
   static constexpr std::array stored_channels{Stored::compression, Stored::cavitation, Stored::weight, Stored::distortion};
-  static constexpr std::array dissipated_channels{Dissipated::viscous, Dissipated::hourglass};
+  static constexpr std::array dissipated_channels{Dissipated::viscous, Dissipated::hourglass, Dissipated::inelastic_impact};
 
   struct Options {
     double hourglass = usual_hourglass;  ///< [-] of dashpots that grow with the speed of hourglass motion
@@ -27,7 +27,7 @@ struct Fluid {
     double pressure = 0;                 ///< [Pa] at the start, at the height of `level`
     std::array<double, 3> start_gravity{0, 0, 0};  ///< [m/s2] by which the pressure grows at the start: zero where it is even
     double level = 0;                    ///< [m2/s2] start_gravity . x where the pressure is `pressure`
-    std::array<double, 3> gravity{0, 0, 0};        ///< [m/s2] of the scene
+    std::array<double, 3> gravity{0, 0, 0};        ///< [m/s2] whose weight is at centroids
   };
   static constexpr double usual_hourglass = 1;
   /// [-] The corner of a cell that closes with the speed v stops at about  usual_distortion c^2/v^2  of where the control begins.
@@ -51,13 +51,14 @@ struct Fluid {
     T pressure;           ///< [Pa] at the start
     T per_length;         ///< [1/m] of the cube of its volume at the start
     T start;              ///< [m3] Jacobian of a corner below which distortion control acts
+    T weight;             ///< [J] of add_weight() at the start
     std::array<T, 8> per_node;  ///< [1/kg] of what each node has of the mass
     template <class F>
     void each_row(F&& f) {
-      f(mass), f(per_mass), f(per_reference), f(pressure), f(per_length), f(start);
+      f(mass), f(per_mass), f(per_reference), f(pressure), f(per_length), f(start), f(weight);
       for (T& row : per_node) f(row);
     }
-    static constexpr int rows = 14;
+    static constexpr int rows = 15;
   };
 
   /// What one element remembers from step to step.
@@ -231,18 +232,20 @@ NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& option
   memory.state.energy = memory.state.energy + viscous_work + drag.work * constants.per_reference;
 
   T lifted(zero);
+  Vector<T> arm{zero, zero, zero};
   if (Fluid::has_weight(options)) {
-    const T now = add_weight(x, X, at_end, constants.mass, constants.per_node, gravity_of<T>(options), force);
-    lifted = now - memory.weight;
-    memory.weight = now;
+    const Weight<T> now = add_weight(x, X, at_end, constants.mass, constants.per_node, gravity_of<T>(options), force);
+    lifted = now.energy - memory.weight;
+    memory.weight = now.energy, arm = now.arm;
   }
   const Controlled<T> controlled = control_distortion(options.distortion, bulk_modulus_at_start(law), law.density, constants.start,
                                                       constants.per_mass, x, memory.distortion, force);
   return {.stored = {response.compression * reference, response.cavitation * reference, lifted, controlled.stored},
-          .dissipated = {viscous_work * reference, drag.work},
+          .dissipated = {viscous_work * reference, drag.work, response.lost * reference},
           .step = stable_step(omega_squared + controlled.omega_squared, viscous.damping + drag.damping),
           .volume_ratio = at_end.volume * constants.per_length * constants.per_length * constants.per_length,
-          .along = viscous.along};
+          .along = viscous.along,
+          .arm = {arm.x, arm.y, arm.z}};
 }
 
 /// Constants of a hexahedron of fluid in its reference positions, in which it is at the start: its density is that of the law there, and
@@ -258,9 +261,11 @@ Fluid::Constants<double> constants(const Law& law, const Fluid::Options& options
   const double pressure = options.pressure + law.density * depth;
   Fluid::Constants<double> made{.mass = mass, .per_mass = 1 / mass, .per_reference = start_at(law, pressure).ratio / volume,
                                 .pressure = pressure, .per_length = 1 / std::cbrt(volume),
-                                .start = material::may_be_compressed<Law> ? -1e300 : start_of_control(X), .per_node = {}};
+                                .start = material::may_be_compressed<Law> ? -1e300 : start_of_control(X), .weight = 0, .per_node = {}};
   const std::array<double, 8> share = volume_shares(modes);
   for (std::size_t a = 0; a < 8; ++a) made.per_node[a] = 1 / (law.density * share[a]);
+  std::array<Vector<double>, 8> force{};
+  made.weight = add_weight(X, modes, volume_gradient(modes), mass, made.per_node, gravity_of<double>(options), force).energy;
   return made;
 }
 
@@ -268,7 +273,7 @@ Fluid::Constants<double> constants(const Law& law, const Fluid::Options& options
 template <class Law>
 Fluid::Memory<double, Law> at_start(const Law& law, const Fluid::Constants<double>& constants) {
   Fluid::Memory<double, Law> memory{};
-  memory.state = start_at(law, constants.pressure);
+  memory.state = start_at(law, constants.pressure), memory.weight = constants.weight;
   return memory;
 }
 

@@ -52,7 +52,7 @@ constexpr double gauss = 0.57735026918962576451;  // 1/sqrt(3), where the points
 
 /// The fully integrated hexahedron as a kind of element.
 struct FullHexahedron {
-  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
+  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6, arms = 0;
   static constexpr int gauss_points = 8;
   static constexpr bool rotates = false, layered = false;
   static constexpr std::array stored_channels{Stored::elastic, Stored::distortion};

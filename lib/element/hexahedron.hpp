@@ -185,7 +185,7 @@ NEREID_HOT T coupling_of_hourglass(const Symmetric<T>& G, const Gradient<T>& g, 
 
 /// The hexahedron as a kind of element: what it is made of and what it remembers.
 struct Hexahedron {
-  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6;
+  static constexpr int nodes = 8, dimensions = 3, axes = 3, sides = 6, arms = 0;
   static constexpr bool rotates = false, layered = false;
   static constexpr std::array stored_channels{Stored::elastic, Stored::hourglass, Stored::distortion};
   static constexpr std::array dissipated_channels{Dissipated::plastic, Dissipated::viscous, Dissipated::hourglass};

@@ -97,6 +97,7 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
   const Pack lane = lane_numbers();
   std::array<Pack, Kind::stored_channels.size()> stored{};
   std::array<Pack, Kind::dissipated_channels.size()> dissipated{};
+  std::array<Pack, Kind::arms> arm{};
   Pack step(1e300), volume_ratio(1e300), step_at(-1.0), volume_at(-1.0);
   for (Index pack = tile.first_pack; pack < tile.first_pack + tile.packs; ++pack) {
     const Index* slot = block.tiling.slot.data() + static_cast<std::size_t>(pack) * corners * lanes;
@@ -143,6 +144,7 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
     const Pack zero(0.0), number = Pack(static_cast<double>(pack) * lanes) + lane;
     for (std::size_t c = 0; c < stored.size(); ++c) stored[c] += select(own, here.stored[c], zero);
     for (std::size_t c = 0; c < dissipated.size(); ++c) dissipated[c] += select(own, here.dissipated[c], zero);
+    for (std::size_t c = 0; c < arm.size(); ++c) arm[c] += select(own, here.arm[c], zero);
     const auto shorter = !(here.step >= step);  // also where either is NaN, so that `step_at` is always that of `step`
     step_at = select(shorter, number, step_at);
     step = select(shorter, here.step, step);
@@ -152,8 +154,9 @@ void advance_tile(const Block<Kind, Law>& block, const Tile& tile, const Vectors
   }
 
   report = {.work = 0.5 * (with_old_forces + work_of_forces()), .stored = {}, .dissipated = {}, .step = 1e300, .volume_ratio = 1e300,
-            .step_element = -1, .volume_element = -1};
+            .step_element = -1, .volume_element = -1, .arm = {}};
   for (int l = 0; l < lanes; ++l) {
+    for (std::size_t c = 0; c < arm.size(); ++c) report.arm[c] += arm[c][l];
     for (std::size_t c = 0; c < stored.size(); ++c) report.stored[Kind::stored_channels[c]] += stored[c][l];
     for (std::size_t c = 0; c < dissipated.size(); ++c) report.dissipated[Kind::dissipated_channels[c]] += dissipated[c][l];
     if (step[l] < report.step) {
@@ -275,6 +278,13 @@ BlockLimit Kernels<Kind, Law>::advance(const Block<Kind, Law>& block, const Vect
     advance_tile(block, block.tiling.tiles[t], x, dx, rotation, time, reports.departures, memory, forces, reports.tile[t]);
   });
   BlockLimit limit;
+  if constexpr (Kind::arms > 0) {
+    Vec3 arm = Vec3::Zero();
+    for (const TileReport& report : reports.tile) arm += Vec3(report.arm[0], report.arm[1], report.arm[2]);
+    const auto& g = block.options.gravity;
+    memory.angular_impulse += 0.5 * dt * (memory.arm + arm).cross(Vec3(g[0], g[1], g[2]));
+    memory.arm = arm;
+  }
   for (const TileReport& report : reports.tile) {
     memory.work += report.work;
     for (const Stored channel : Kind::stored_channels) memory.stored[channel] += report.stored[channel];

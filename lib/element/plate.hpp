@@ -110,7 +110,7 @@ Layers gauss_layers(int count);
 
 /// The plate as a kind of element: what it is made of and what it remembers.
 struct Plate {
-  static constexpr int nodes = 3, dimensions = 2, axes = 1, sides = 3;
+  static constexpr int nodes = 3, dimensions = 2, axes = 1, sides = 3, arms = 0;
   static constexpr bool rotates = true, layered = true;
   static constexpr std::array stored_channels{Stored::elastic, Stored::transverse_shear, Stored::residual_bending,
                                               Stored::drilling};

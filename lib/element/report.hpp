@@ -16,6 +16,7 @@ struct Report {
   T step;                                                      ///< [s] largest stable step of this element as it is now
   T volume_ratio;                                              ///< [-] volume (plates: area) over that of the reference; <= 0: inverted
   std::array<T, Kind::axes> along;                             ///< [-] of the step: strain of each axis, of plates growth of the area
+  std::array<T, Kind::arms> arm = {};                          ///< [kg m] of fluids with weight: mass times the way from its nodes' centre
 
   /// One channel; zero if the kind does not have it. [J]
   T operator[](Stored channel) const { return of(channel, Kind::stored_channels, stored); }

@@ -15,6 +15,7 @@ namespace nereid::element {
 template <class T>
 struct FirstMoment {
   T value;        ///< [m5/s2]
+  Vector<T> place;  ///< [m4] of x - mean of the nodes alone
   Modes<T> by;    ///< [m4/s2]
 };
 
@@ -26,7 +27,7 @@ NEREID_HOT FirstMoment<T> first_moment(const Modes<T>& X, const Vector<T>& g) {
   constexpr double at = 0.57735026918962576;
   const auto& [h0, h1, h2, h3] = X.hourglass;
   const Vector<T> none{T(0.0), T(0.0), T(0.0)};
-  FirstMoment<T> m{T(0.0), {none, none, none, {none, none, none, none}}};
+  FirstMoment<T> m{T(0.0), none, {none, none, none, {none, none, none, none}}};
   for (int point = 0; point < 8; ++point) {
     const T xi((point & 1) != 0 ? at : -at), eta((point & 2) != 0 ? at : -at), zeta((point & 4) != 0 ? at : -at);
     const T ez = eta * zeta, zx = zeta * xi, xe = xi * eta, xez = xe * zeta;
@@ -37,6 +38,7 @@ NEREID_HOT FirstMoment<T> first_moment(const Modes<T>& X, const Vector<T>& g) {
     const Vector<T> r = xi * X.xi + eta * X.eta + zeta * X.zeta + ez * h0 + zx * h1 + xe * h2 + xez * h3;
     const T lift = dot(g, r);
     m.value = m.value + lift * volume;
+    m.place = m.place + volume * r;
     const Vector<T> by_place = volume * g, by_a = lift * A, by_b = lift * B, by_c = lift * C;
     m.by.xi = m.by.xi + xi * by_place + by_a;
     m.by.eta = m.by.eta + eta * by_place + by_b;
@@ -71,14 +73,20 @@ inline std::array<double, 8> volume_shares(const Modes<double>& X) {
   return share;
 }
 
+/// What add_weight() found.
+template <class T>
+struct Weight {
+  T energy;       ///< [J] U
+  Vector<T> arm;  ///< [kg m] mass times the way from the centre of the nodes' masses to the centroid; its moment is  arm x g
+};
+
 /// Adds to the nodal forces what the weight at the centroid differs from weights at the nodes:
 ///
 ///     U = -mass g . centroid + sum over the nodes of m g . x,     f = -dU/dx;  they have no resultant
 ///
 /// x  [m] of the nodes, and their amplitudes;  per_node  [1/kg]
-/// returns  U [J]
 template <class T>
-NEREID_HOT T add_weight(const std::array<Vector<T>, 8>& x, const Modes<T>& X, const Gradient<T>& gradient, T mass,
+NEREID_HOT Weight<T> add_weight(const std::array<Vector<T>, 8>& x, const Modes<T>& X, const Gradient<T>& gradient, T mass,
                         const std::array<T, 8>& per_node, const Vector<T>& g, std::array<Vector<T>, 8>& force) {
   const FirstMoment<T> m = first_moment(X, g);
   const T way = m.value * gradient.per_volume, eight(8.0), part = T(0.125) * mass * gradient.per_volume;
@@ -89,13 +97,13 @@ NEREID_HOT T add_weight(const std::array<Vector<T>, 8>& x, const Modes<T>& X, co
   for (int a = 0; a < 3; ++a) F.hourglass[a] = part * (F.hourglass[a] - eight * way * gradient.hourglass[a]);
   F.hourglass[3] = part * F.hourglass[3];
   const std::array<Vector<T>, 8> more = nodal_values(F);
-  T at_nodes(0.0);  // sum of m g . x less that of the mean
+  Vector<T> at_nodes{T(0.0), T(0.0), T(0.0)};  // sum of m x less that of the mean
   for (int node = 0; node < 8; ++node) {
     const T beyond = T(1.0) / per_node[node] - T(0.125) * mass;
-    at_nodes = at_nodes + beyond * dot(g, x[node]);
+    at_nodes = at_nodes + beyond * x[node];
     force[node] = force[node] + more[node] - beyond * g;
   }
-  return at_nodes - mass * way;
+  return {dot(g, at_nodes) - mass * way, mass * gradient.per_volume * m.place - at_nodes};
 }
 
 }  // namespace nereid::element

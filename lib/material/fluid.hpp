@@ -23,6 +23,7 @@ template <class T>
 struct FluidResponse {
   T compression;  ///< [J/m3] work taken up by compression, per volume of the reference
   T cavitation;   ///< [J/m3] the same by bubbles
+  T lost;         ///< [J/m3] what bubbles that close within the step take for good; below zero where they open
   T modulus;      ///< [Pa] bulk modulus now, -V dp/dV without exchange of heat
 };
 
@@ -74,7 +75,7 @@ NEREID_HOT FluidResponse<T> carry_over(T a, T b, T ratio, T cutoff, FluidState<T
   const T taken = -(half * (state.pressure + now) * growth);
   const T compression = select(is_void, zero, taken);
   state = {ratio, now, state.energy + compression};
-  return {compression, taken - compression, zero};
+  return {compression, taken - compression, zero, zero};
 }
 
 }  // namespace nereid::material

@@ -25,7 +25,9 @@ inline FluidState<double> start_at(const LinearFluid& law, double pressure) {
 }
 
 /// Carries a state to the volume `ratio`. The energy is that of the volume, 1/2 K (1 - J)^2 where the fluid is whole, exactly; heat does
-/// not change the pressure.
+/// not change the pressure. Where bubbles close within a step, the force of its end counts over half of the step that led there: work beyond
+/// that energy is lost, as in an inelastic impact. Where they open, less of it is given back; as bubbles close faster than they open, the
+/// sum of both is a loss.
 template <class T>
 NEREID_HOT FluidResponse<T> update_pressure(const LinearFluid& law, T ratio, FluidState<T>& state) {
   const T K(law.bulk_modulus), one(1.0), half(0.5), open(ratio_of_void(law));
@@ -33,8 +35,11 @@ NEREID_HOT FluidResponse<T> update_pressure(const LinearFluid& law, T ratio, Flu
   const T before = one - whole(state.ratio), now = one - whole(ratio);
   const T compression = half * K * (now - before) * (now + before);
   const T cavitation = T(-law.cutoff) * (larger(ratio, open) - larger(state.ratio, open));
+  const auto opens_or_closes = (state.ratio > open) != (ratio > open);
+  const T taken = -(half * K * (before + now) * (ratio - state.ratio));
+  const T lost = select(opens_or_closes, taken - compression - cavitation, T(0.0));
   state = {ratio, K * now, state.energy + compression};
-  return {compression, cavitation, K * whole(ratio)};
+  return {compression, cavitation, lost, K * whole(ratio)};
 }
 
 template <class T>

@@ -308,10 +308,13 @@ TEST(Fluid, WeightIsTheGradientOfTheHeightOfTheCentroid) {
     std::array<double, 8> per_node;
     std::array<D, 8> per_dual;
     for (std::size_t a = 0; a < 8; ++a) per_node[a] = 1 / (density * share[a]), per_dual[a] = D(per_node[a]);
-    const D energy = add_weight(whole, X, volume_gradient(X), D(1.7), per_dual, Vector<D>{D(g.x), D(g.y), D(g.z)}, none);
+    const D energy = add_weight<D>(whole, X, volume_gradient(X), D(1.7), per_dual, Vector<D>{D(g.x), D(g.y), D(g.z)}, none).energy;
     Corners force{};
     const auto at = amplitudes(x);
-    const double value = add_weight(x, at, volume_gradient(at), 1.7, per_node, g, force);
+    const auto [value, arm] = add_weight(x, at, volume_gradient(at), 1.7, per_node, g, force);
+    Point turning = -cross(arm, g);
+    for (int i = 0; i < 8; ++i) turning = turning + cross(x[i], force[i]);
+    EXPECT_LT(norm(turning), 1e-12);
     EXPECT_NEAR(value, energy.value, 1e-13);
     for (int i = 0; i < 24; ++i) EXPECT_NEAR(force[i / 3][i % 3], -energy.by[i], 1e-12);
     double volume = 0, moment = 0;

@@ -98,6 +98,53 @@ TEST(Pressure, TurnsWithItsSurface) {
   EXPECT_LT((turned.force - Q * here.force).norm(), 1e-14 * here.force.norm());
 }
 
+TEST(Radiation, HasThePressureAtRestTwiceThatOfTheWaveThatComesInAndADashpotAlongTheNormal) {
+  const mesh::Mesh mesh = mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.1), {3, 2, 1}});
+  const AnyLoad load = radiation_from("r", mesh, mesh::surface(mesh, "box.x_high"), constant(1e3), [](double t) { return 100 * t; }, 50);
+  LoadMemory memory = initial_memory(load);
+  const Vectors v = Vec3(2, 7, -5).replicate(1, mesh.X.cols());
+  advance(load, mesh.X, mesh.X, v, no_turns, 3, 0, memory);
+  EXPECT_NEAR((resultant(memory) - Vec3(-(1e3 + 2 * 300 + 50 * 2) * 0.02, 0, 0)).norm(), 0, 1e-12);
+}
+
+TEST(Radiation, BooksWhatLeavesAndTakesTheRestFromOutside) {
+  const mesh::Mesh mesh = mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.1), {3, 2, 1}});
+  const AnyLoad load = radiation_from("r", mesh, mesh::surface(mesh, "box.x_high"), constant(1e3), constant(100), 50);
+  LoadMemory memory = initial_memory(load);
+  const Vectors v = Vec3(2, 0, 0).replicate(1, mesh.X.cols());
+  advance(load, mesh.X, mesh.X, v, no_turns, 0, 0, memory);
+  advance(load, mesh.X, mesh.X + 0.01 * v, v, no_turns, 0.01, 0.01, memory);
+  EXPECT_NEAR(memory.dissipated, 50 * 2 * 2 * 0.02 * 0.01, 1e-14);
+  Account account;
+  post(load, memory, account);
+  EXPECT_NEAR(account.work, -(1e3 + 200 + 50 * 2) * 0.02 * 0.02, 1e-12);
+  EXPECT_NEAR(account.work + account.stored[Stored::external_work] + account.dissipated[Dissipated::radiated], 0, 1e-14);
+  const std::vector<AnyLoad> all{load};
+  Scalars mass = Scalars::Constant(mesh.X.cols(), 0.1);
+  EXPECT_NEAR(spring_rates(all, mesh.X, mass).damping, 0.5 * 50 * 0.01 / 2 / 0.1, 1e-12) << "two corners of 0.1 by 0.1";
+}
+
+TEST(Bubble, HasThePressureOfItsVolumeAndDoesTheWorkOfItsCurve) {
+  const mesh::Mesh mesh = mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.1), {3, 2, 1}});
+  const auto curve = [](double v) { return 1e3 / v; };
+  double error[2];
+  for (const int n : {0, 1}) {
+    const AnyLoad load = bubble_under("b", mesh, mesh::surface(mesh, "box.z_low"), curve, 0.01);
+    LoadMemory memory = initial_memory(load);
+    const int steps = 20 << n;
+    const double dt = 1.0 / steps;
+    Vectors x = mesh.X;
+    const Vectors v = Vec3(0.3, 0, 0.1).replicate(1, x.cols());  // along the surface nothing is swept
+    advance(load, mesh.X, x, v, no_turns, 0, 0, memory);
+    for (int i = 1; i <= steps; ++i) x += dt * v, advance(load, mesh.X, x, v, no_turns, i * dt, dt, memory);
+    EXPECT_NEAR(memory.swept, 0.06 * 0.1, 1e-15);
+    EXPECT_NEAR((resultant(memory) - Vec3(0, 0, curve(0.016) * 0.06)).norm(), 0, 1e-9);
+    error[n] = std::abs(memory.work - 1e3 * std::log(1.6));
+  }
+  EXPECT_LT(error[1], 0.3 * error[0]);
+  EXPECT_LT(error[1], 0.1);
+}
+
 TEST(NodalForce, IsSharedEquallyAndBooksWorkAndImpulsesByTheTrapezoidRule) {
   const Vectors X = random_vectors(4, 1, 4), v = random_vectors(4, 1, 5);
   const AnyLoad load = NodalForce{"f", {1, 3}, {[](double t) { return 2 * t; }, constant(0), constant(5)}};
