@@ -135,7 +135,8 @@ void add_slug(const input::Section& section, const Head& head, double outside, d
   model::Body slug{.name = "slug", .mesh = ring(head.hole, outside, top - gap - height, top - gap, level, cells_in(height, level), part),
                    .law = input::read_solid_or_fluid_law(material), .solid = input::read_fluid_options(section.section_or_empty("element")),
                    .at = "struck_by"};
-  if (material.sound() && !material::is_fluid(slug.law)) section.fault("material", "the slug is a fluid: expected mie_gruneisen, linear_fluid");
+  if (material.sound() && !material::is_fluid(slug.law))
+    section.fault("material", "the slug is a fluid: expected mie_gruneisen, linear_fluid");
   scene.bodies.push_back(slug);
   const auto wall = [&](const char* name, double inner, double outer, const char* own, const char* of_slug) {
     const double low = top - gap - height;  // up to the small plug

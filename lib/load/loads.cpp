@@ -70,7 +70,8 @@ auto positions(const Vectors& x) {
 void set_forces(const Pressure& load, const Vectors&, const Vectors& x, const Vectors&, double t, double, LoadMemory& memory) {
   const double pressure = load.pressure(t);
   memory.force.setZero();
-  each_corner_area(load.corners, load.nodes, positions(x), [&](Index place, const Vec3& area) { memory.force.col(place) -= pressure * area; });
+  each_corner_area(load.corners, load.nodes, positions(x),
+                   [&](Index place, const Vec3& area) { memory.force.col(place) -= pressure * area; });
 }
 
 void set_forces(const Bubble& load, const Vectors&, const Vectors& x, const Vectors& v, double, double dt, LoadMemory& memory) {

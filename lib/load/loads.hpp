@@ -38,8 +38,8 @@ struct Pressure {
 
 /// Pressure on a surface, of a bubble that grows as the surface gives way.
 ///
-/// The volume of the bubble is that of the start and what the surface has swept since, by the trapezoid rule over the steps. Forces are those
-/// of a Pressure.
+/// The volume of the bubble is that of the start and what the surface has swept since, by the trapezoid rule over the steps. Forces are
+/// those of a Pressure.
 struct Bubble {
   std::string name;
   Subset nodes;       ///< of the surface, ascending

@@ -25,9 +25,9 @@ inline FluidState<double> start_at(const LinearFluid& law, double pressure) {
 }
 
 /// Carries a state to the volume `ratio`. The energy is that of the volume, 1/2 K (1 - J)^2 where the fluid is whole, exactly; heat does
-/// not change the pressure. Where bubbles close within a step, the force of its end counts over half of the step that led there: work beyond
-/// that energy is lost, as in an inelastic impact. Where they open, less of it is given back; as bubbles close faster than they open, the
-/// sum of both is a loss.
+/// not change the pressure. Where bubbles close within a step, the force of its end counts over half of the step that led there: work
+/// beyond that energy is lost, as in an inelastic impact. Where they open, less of it is given back; as bubbles close faster than they
+/// open, the sum of both is a loss.
 template <class T>
 NEREID_HOT FluidResponse<T> update_pressure(const LinearFluid& law, T ratio, FluidState<T>& state) {
   const T K(law.bulk_modulus), one(1.0), half(0.5), open(ratio_of_void(law));

@@ -205,7 +205,8 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
         refuse(faults, part("load", load), "surface", quote(load.on) + " has plates from both sides: waves leave through one of them");
       const double impedance = load.impedance.value_or(dynamics::surface_impedance(model, surface));
       if (!std::isfinite(impedance) || !(impedance > 0))
-        refuse(faults, part("load", load), "impedance", quote(load.on) + " is of plates or of a rigid body: say 'impedance'");
+        refuse(faults, part("load", load), "impedance",
+               quote(load.on) + " is of plates or of a rigid body, which have none of their own: 'impedance' is missing");
       const load::OverTime none = [](double) { return 0.0; };
       model.loads.emplace_back(load::radiation_from(load.name, model.mesh, surface, values[0],
                                                     load.incident[0] ? over_time(load.incident[0]) : none, impedance));

@@ -99,7 +99,7 @@ void check_law(const Body& body, Faults& faults) {
   if (has_plates(body.mesh) && is_fluid)
     refuse(faults, here, "kind", fluids_are_solid_meshes);
   else if (is_fluid && body.rigid)
-    refuse(faults, here, "kind", "a rigid body is no fluid: say 'kind: elastic'");
+    refuse(faults, here, "kind", "a rigid body is no fluid: expected a law of solids");
   else if (has_plates(body.mesh) && !element::plates_may_have(body.law))
     refuse(faults, here, "kind", plates_may_have_other_laws);
   else if (is_fluid != std::holds_alternative<element::Fluid::Options>(body.solid))
@@ -213,7 +213,8 @@ void check_load(const Load& load, Faults& faults) {
   if (!check(faults, here, {kind("kind", load.kind, LoadKind::bubble)})) return;
   check(faults, here, {{"impedance", load.impedance.value_or(1), positive, "kg/(m^2*s)"}});
   if (load.kind == LoadKind::bubble) check(faults, here, {{"volume", load.volume, positive, "m^3"}});
-  if (load.kind != LoadKind::pressure && load.kind != LoadKind::radiation && load.kind != LoadKind::bubble) check_functions(faults, here, "value", load.value, false);
+  const bool is_pressure = load.kind == LoadKind::pressure || load.kind == LoadKind::radiation || load.kind == LoadKind::bubble;
+  if (!is_pressure) check_functions(faults, here, "value", load.value, false);
   else if (!load.value[0]) refuse(faults, here, "value", "'value' needs a function");
 }
 

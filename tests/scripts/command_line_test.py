@@ -181,7 +181,7 @@ class BadArguments(unittest.TestCase):
             (self.root / name).mkdir()
         (self.root / "file").write_text("")
         for name in ("scene", "two_blocks", "cask_drop", "sliding", "contact_elements", "material_point", "modes", "patch_test",
-                     "penalty_oscillator", "plug_juncture", "shield_plates"):
+                     "penalty_oscillator", "plug_juncture", "shield_plates", "slug_impact"):
             (self.root / "programs" / name).write_text(DRIVER)
             (self.root / "programs" / name).chmod(0o755)
         made_up_run(self.root / "run")

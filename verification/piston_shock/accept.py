@@ -111,8 +111,8 @@ CHECKS = [
     Miss("largest pressure of any element behind the shock", crest(WATER), 0.05,
          "the bound of fronts of uniaxial strain in smooth_and_shock",
          why="the cells at the front ring from one to the next. On a cube of fluid the step is 0.58 of the time in which sound "
-             "crosses it, where a line of wide cells takes all of it and does not ring. The shock is weak, 7 % of the speed of sound, so the linear "
-             "term does most. The table has other cells and other coefficients"),
+             "crosses it, where a line of wide cells takes all of it and does not ring. The shock is weak, 7 % of the speed of sound, so "
+             "the linear term does most. The table has other cells and other coefficients"),
     Report("internal energy of the first cell at the piston", at_piston, "at its start a shock is no steady front, so the viscosity "
            "heats the first cells too much or too little, and no heat is conducted"),
     Check("gas: pressure on the piston", on_piston(GAS), 0.002, "as of water"),

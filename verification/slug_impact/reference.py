@@ -1,7 +1,7 @@
 """A slug that strikes a head: what it must come to, and what it cannot exceed.
 
 The front that goes back into the slug stops it, and leaves the pressure of Hugoniot, density (c + s v) v, behind it, until it comes back
-from the free lower face of the slug. The momentum that the slug loses is the impulse on the head: walls that are struck along their length
+as a wave of the free lower face. The momentum that the slug loses is the impulse on the head: walls that are struck along their length
 have none. A rigid-plastic head that takes all of the energy as the membrane of a cone is bent the farthest.
 """
 from math import pi, sqrt

@@ -115,8 +115,8 @@ CHECKS = [
     Check("tension, the largest of any element", tension, 1e-12, "the law has none: its cut-off is zero"),
     Miss("largest pressure of any element behind the front", crest, 0.05, "the bound of fronts of uniaxial strain in smooth_and_shock",
          why="a crest of three cells goes along behind the front. On a cube of fluid the step is 0.58 of the time in which sound "
-             "crosses it, where a line of wide cells takes all of it and does not ring. The table has other cells and other coefficients. The pressure on the "
-             "wall that the column strikes has no crest"),
+             "crosses it, where a line of wide cells takes all of it and does not ring. The table has other cells and other "
+             "coefficients. The pressure on the wall that the column strikes has no crest"),
     Report("bubbles at the end, part of the volume", bubbles,
            "the last layers leave more slowly than the first, and between them bubbles open"),
     Check("torn from a wall: void in the first cell", torn, 1e-9, "no force acts, so this is kinematics"),
