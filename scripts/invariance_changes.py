@@ -170,7 +170,7 @@ class Scene:
     def mesh_of_shape(self, number, body, tree):
         """The mesh of a shape as the program builds it, from a run of the body alone; the body then has it in a file."""
         shape = body["mesh"]
-        alone = {key: one for key, one in body.items() if key in ("name", "material", "element")}
+        alone = {key: one for key, one in body.items() if key in ("name", "material", "element", "start")}
         alone["mesh"] = {key: one for key, one in shape.items() if key not in ("map", "scale")}
         bare = {"bodies": [alone], "time": {"end": Quantity(1e-12, "s")}}
         if "refine" in tree:

@@ -42,12 +42,13 @@ def taken(node):
         return None if node["default"] else Quantity(node["value"], node["unit"])
     kept = {key: taken(one) for key, one in node.items() if not re.search(r"_file(_\d+)?$", key)}  # these say what a file held
     kept = {key: one for key, one in kept.items() if one is not None and one != [] and (one != {} or key == "relaxation")}
-    for key in ("value", "velocity", "displacement"):  # a text, or three, with its unit beside it
-        if "unit" in kept and key in kept:
+    keys = [key for key in ("value", "velocity", "displacement", "incident") if key in kept]  # texts, with their unit beside them
+    if "unit" in kept and keys:
+        unit = kept.pop("unit").value
+        factor, *powers = measure(unit)
+        angle = ["rad"] if re.search(r"\b(rad|deg)\b", unit) else []
+        for key in keys:
             texts = kept[key].value if isinstance(kept[key].value, list) else [kept[key].value]
-            unit = kept.pop("unit").value
-            factor, *powers = measure(unit)
-            angle = ["rad"] if re.search(r"\b(rad|deg)\b", unit) else []
             kept[key] = Texts([times(text, factor) for text in texts],
                               "*".join([*angle, *(f"{n}^{p}" for n, p in zip(("m", "kg", "s"), powers) if p)]))
     return kept
@@ -85,8 +86,8 @@ def times(text, factor):
 
 
 def in_other_variables(text, of):
-    """An expression with x, y, z, t replaced."""
-    return re.sub(r"\b[xyzt]\b", lambda found: of.get(found.group(), found.group()), text)
+    """An expression with x, y, z, t, v replaced."""
+    return re.sub(r"\b[xyztv]\b", lambda found: of.get(found.group(), found.group()), text)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -187,7 +188,8 @@ def written(node, system, indent=0):
             powers = system.powers(one.dimension)
             size = math.prod(a ** p for a, p in zip(system.sizes, powers))
             texts = ", ".join(quoted(times(text, 1 / size)) for text in one)
-            lines += [f"{head} [{texts}]" if len(one) > 1 else f"{head} {texts}", f"{' ' * indent}unit: {system.name_of(one.dimension)}"]
+            unit = f"{' ' * indent}unit: {system.name_of(one.dimension)}"
+            lines += [f"{head} [{texts}]" if len(one) > 1 else f"{head} {texts}", *([] if unit in lines else [unit])]
         elif one:
             lines += [head, *written(one, system, indent + 2)]
         else:
@@ -367,7 +369,7 @@ def moved(tree, matrix, shift=(0, 0, 0), mirror="x"):
 def scaled(tree, scale):
     """Lengths, masses and times multiplied; the numbers of a case change, its units do not."""
     a, _, c = (repr(1 / one) for one in scale)
-    arguments = {name: f"({name}*{a})" for name in "xyz"} | {"t": f"(t*{c})"}
+    arguments = {name: f"({name}*{a})" for name in "xyz"} | {"t": f"(t*{c})", "v": f"(v*{a}^3)"}
 
     def factor(unit):
         _, *powers = measure(unit)
