@@ -136,7 +136,7 @@ BREAKS = [
     Breaks("deep, skewed cells: height in the sixth period beside the first", "a surface through which waves leave", RADIATING,
            case=HERE + SKEWED),
     Breaks("energy that is dissipated in six periods, worst of three tanks", "water that starts with an even pressure and falls",
-           {"bodies[0].start.hydrostatic": "false"}),
+           {"bodies[0].start.hydrostatic": "false", "time.end": "0.5 s"}),
 ]
 
 
