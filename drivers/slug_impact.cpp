@@ -85,7 +85,7 @@ struct Asked {
   double slope = 0;        ///< [-] of the shock velocity
   double sound_speed = 0;  ///< [m/s]
   double height = 0;       ///< [m] of the slug
-  bool rigid_head = false, rigid_wall = false;
+  bool rigid_head = false, rigid_wall = false, with_gas = false;
 };
 
 /// turns  of the model in the whole vessel: volumes of bubbles are those of the whole
@@ -167,7 +167,7 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
                rise = gap.quantity("height", dim::length, input::positive);
   asked.rigid_wall = vessel.choice("wall", {"rigid", "plates"}) == "rigid";
   asked.rigid_head = lid.choice("kind", {"rigid", "plate"}) == "rigid";
-  const bool with_gas = gap.choice_or("filled_with", "nothing", {"nothing", "gas"}) == "gas";
+  const bool with_gas = asked.with_gas = gap.choice_or("filled_with", "nothing", {"nothing", "gas"}) == "gas";
 
   model::Scene scene;
   model::Body slug{.name = "slug", .mesh = column(part, radius, height), .law = input::read_solid_or_fluid_law(liquid.section("material")),
@@ -214,7 +214,7 @@ model::Simulation build(const input::CaseFile& file, Asked& asked) {
   asked.area = mesh::tributary_areas(mesh, mesh::surface(mesh, "slug.top"), mesh::node_set(mesh, "slug.top")).sum();
   const double modulus = material::stiffness(slug.law), density = std::visit([](const auto& law) { return law.density; }, slug.law);
   asked.sound_speed = std::sqrt(modulus / density), asked.impedance = density * asked.sound_speed, asked.height = height;
-  simulation.probes.push_back(first_wave(asked));
+  if (!with_gas) simulation.probes.push_back(first_wave(asked));  // a gas touches the head from the start
   if (const auto* shocked = std::get_if<material::MieGruneisen>(&slug.law)) asked.slope = shocked->slope;
   return simulation;
 }
@@ -237,9 +237,11 @@ std::vector<output::Result> results(const model::Simulation& simulation, const A
   all.push_back({"plane_pressure", plane, "Pa"});
   all.push_back({"peak_mean_pressure", peak, "Pa"});
   all.push_back({"largest_pressure", model::probe(simulation, "largest_pressure_slug").largest, "Pa"});
-  const double first = model::probe(simulation, "pressure_of_first_wave").last;
-  all.push_back({"pressure_of_first_wave", first, "Pa"});
-  all.push_back({"first_wave_over_plane", plane > 0 ? first / plane : 0, "1"});
+  if (!asked.with_gas) {
+    const double first = model::probe(simulation, "pressure_of_first_wave").last;
+    all.push_back({"pressure_of_first_wave", first, "Pa"});
+    all.push_back({"first_wave_over_plane", plane > 0 ? first / plane : 0, "1"});
+  }
   if (!asked.rigid_head) {
     all.push_back({"largest_rise_head", model::probe(simulation, "rise_head").largest, "m"});
     all.push_back({"time_of_largest_rise_head", model::probe(simulation, "rise_head").time_of_largest, "s"});

@@ -245,6 +245,9 @@ void check_section(const Section& section, Faults& faults) {
 
 void check_run(const Scene& scene, Faults& faults) {
   check(faults, {"", "the scene"}, components("gravity", scene.gravity));
+  for (const Body& body : scene.bodies)
+    if (body.start.hydrostatic && scene.gravity.isZero(0))
+      refuse(faults, part("body", body), "start.hydrostatic", "nothing makes the pressure grow downward: expected 'gravity' in the scene");
   check(faults, {"time", "time"}, {{"end", scene.time.end, positive, "s"}, {"safety", scene.time.safety, range::safety},
                                    {"created_limit", scene.time.created_limit, positive},
                                    {"overlap_limit", scene.time.overlap_limit, positive},
