@@ -25,9 +25,8 @@ struct Fluid {
     Viscosity viscosity;
     Distortion distortion{usual_distortion};  ///< over the bulk modulus at the start
     double pressure = 0;                 ///< [Pa] at the start, at the height of `level`
-    std::array<double, 3> start_gravity{0, 0, 0};  ///< [m/s2] by which the pressure grows at the start: zero where it is even
-    double level = 0;                    ///< [m2/s2] start_gravity . x where the pressure is `pressure`
-    std::array<double, 3> gravity{0, 0, 0};        ///< [m/s2] whose weight is at centroids
+    std::array<double, 3> gravity{0, 0, 0};  ///< [m/s2] whose weight is at centroids, and by which the pressure grows at the start
+    double level = 0;                    ///< [m2/s2] gravity . x where the pressure is `pressure`
   };
   static constexpr double usual_hourglass = 1;
   /// [-] The corner of a cell that closes with the speed v stops at about  usual_distortion c^2/v^2  of where the control begins.
@@ -254,7 +253,7 @@ template <class Law>
 Fluid::Constants<double> constants(const Law& law, const Fluid::Options& options, const std::array<Vector<double>, 8>& X) {
   const Modes<double> modes = scaled(0.125, sums_by_mode(X));
   const double volume = volume_gradient(modes).volume, mass = law.density * volume;
-  const Vector<double> g{options.start_gravity[0], options.start_gravity[1], options.start_gravity[2]};
+  const Vector<double> g = gravity_of<double>(options);
   Vector<double> mean{0, 0, 0};
   for (const Vector<double>& corner : X) mean = mean + 0.125 * corner;
   const double depth = dot(g, mean) + first_moment(modes, g).value / volume - options.level;

@@ -19,6 +19,18 @@ struct FirstMoment {
   Modes<T> by;    ///< [m4/s2]
 };
 
+/// How the place in a hexahedron moves along its own axes, with these amplitudes. [m]
+template <class T>
+struct Tangents {
+  Vector<T> xi, eta, zeta;
+};
+template <class T>
+NEREID_HOT Tangents<T> tangents(const Modes<T>& X, T xi, T eta, T zeta) {
+  const auto& [h0, h1, h2, h3] = X.hourglass;
+  return {X.xi + zeta * h1 + eta * h2 + eta * zeta * h3, X.eta + zeta * h0 + xi * h2 + zeta * xi * h3,
+          X.zeta + eta * h0 + xi * h1 + xi * eta * h3};
+}
+
 /// By two Gauss points each way, which is exact.
 ///
 /// X  [m] amplitudes;  g  [m/s2]
@@ -31,8 +43,7 @@ NEREID_HOT FirstMoment<T> first_moment(const Modes<T>& X, const Vector<T>& g) {
   for (int point = 0; point < 8; ++point) {
     const T xi((point & 1) != 0 ? at : -at), eta((point & 2) != 0 ? at : -at), zeta((point & 4) != 0 ? at : -at);
     const T ez = eta * zeta, zx = zeta * xi, xe = xi * eta, xez = xe * zeta;
-    const Vector<T> a = X.xi + zeta * h1 + eta * h2 + ez * h3, b = X.eta + zeta * h0 + xi * h2 + zx * h3,
-                    c = X.zeta + eta * h0 + xi * h1 + xe * h3;
+    const auto [a, b, c] = tangents(X, xi, eta, zeta);
     const Vector<T> A = cross(b, c), B = cross(c, a), C = cross(a, b);
     const T volume = dot(a, A);
     const Vector<T> r = xi * X.xi + eta * X.eta + zeta * X.zeta + ez * h0 + zx * h1 + xe * h2 + xez * h3;
@@ -60,12 +71,10 @@ NEREID_HOT FirstMoment<T> first_moment(const Modes<T>& X, const Vector<T>& g) {
 inline std::array<double, 8> volume_shares(const Modes<double>& X) {
   constexpr double at = 0.57735026918962576;
   constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
-  const auto& [h0, h1, h2, h3] = X.hourglass;
   std::array<double, 8> share{};
   for (const auto& point : sign) {
     const double xi = at * point[0], eta = at * point[1], zeta = at * point[2];
-    const Vector<double> a = X.xi + zeta * h1 + eta * h2 + eta * zeta * h3, b = X.eta + zeta * h0 + xi * h2 + zeta * xi * h3,
-                         c = X.zeta + eta * h0 + xi * h1 + xi * eta * h3;
+    const auto [a, b, c] = tangents(X, xi, eta, zeta);
     const double volume = dot(a, cross(b, c));
     for (std::size_t node = 0; node < 8; ++node)
       share[node] += 0.125 * (1 + sign[node][0] * xi) * (1 + sign[node][1] * eta) * (1 + sign[node][2] * zeta) * volume;

@@ -1,6 +1,9 @@
 #pragma once
 // A liquid by its shock velocity.
 
+#include <algorithm>
+#include <cmath>
+
 #include "material/fluid.hpp"
 
 namespace nereid::material {
@@ -37,15 +40,21 @@ NEREID_HOT ColdPressure<T> cold_pressure(const MieGruneisen& law, T mu) {
   return {shock * share, by_mu * share - half_gamma * shock};
 }
 
-/// The state of a pressure [Pa] that was reached slowly from none, by Newton's method.
+/// The state of a pressure [Pa], with the energy of its shock,  e = p mu/2:  then  p = pH,  whatever Grueneisen's ratio, so mu is a root of
+///
+///     p (1 - s mu)^2 = K mu,   in tension of  p = K mu
+///
+/// Needs    a pressure below highest_start(law)
 inline FluidState<double> start_at(const MieGruneisen& law, double pressure) {
-  double mu = pressure / bulk_modulus_at_start(law);
-  const auto energy = [&](double at) { return 0.5 * pressure * at; };
-  for (int i = 0; i < 50; ++i) {
-    const auto [value, slope] = cold_pressure(law, mu);
-    mu -= (value + law.gamma * energy(mu) - pressure) / (slope + 0.5 * law.gamma * pressure);
-  }
-  return {1.0 - mu, pressure, energy(mu)};
+  const double K = bulk_modulus_at_start(law), sp = law.slope * std::max(0.0, pressure);
+  const double mu = 2 * pressure / (K + 2 * sp + std::sqrt(K * (K + 4 * sp)));
+  return {1.0 - mu, pressure, 0.5 * pressure * mu};
+}
+
+/// The pressure of a shock beyond which  1 - s mu  or the volume is nearly none. [Pa]
+inline double highest_start(const MieGruneisen& law) {
+  const MieGruneisen cold{law.density, law.sound_speed, law.slope, 0};
+  return cold_pressure(cold, (1 - closest_to_infinite) / std::max(1.0, law.slope)).value;
 }
 
 /// Carries a state to the volume `ratio`.

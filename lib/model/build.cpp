@@ -124,7 +124,7 @@ element::AnyHexahedronOptions options_of(const Body& body, const Vec3& gravity, 
   const std::array<double, 3> g{gravity.x(), gravity.y(), gravity.z()};
   fluid->pressure = body.start.pressure;
   if (!body.start.hydrostatic) return options;
-  fluid->gravity = fluid->start_gravity = g, fluid->level = std::numeric_limits<double>::infinity();
+  fluid->gravity = g, fluid->level = std::numeric_limits<double>::infinity();
   for (const Index node : mesh::node_set(mesh, body.name)) fluid->level = std::min(fluid->level, gravity.dot(mesh.X.col(node)));
   return options;
 }

@@ -137,7 +137,8 @@ void check_start(const Body& body, Faults& faults) {
   const double pressure = body.start.pressure;
   Range allowed = positive;  // of a gas
   if (const auto* law = std::get_if<material::LinearFluid>(&body.law)) allowed = at_least(law->cutoff).below(law->bulk_modulus);
-  if (const auto* law = std::get_if<material::MieGruneisen>(&body.law)) allowed = at_least(law->cutoff);
+  if (const auto* law = std::get_if<material::MieGruneisen>(&body.law))
+    allowed = at_least(law->cutoff).below(material::highest_start(*law));
   if (material::is_fluid(body.law)) check(faults, here, {{"start.pressure", pressure, allowed, "Pa"}});
 }
 

@@ -47,6 +47,18 @@ TYPED_TEST(Fluids, StartWithThePressureThatIsAskedFor) {
   }
 }
 
+TEST(MieGruneisenFluid, StartsWithTheShockOfItsPressureUpToTheHighest) {
+  const MieGruneisen laws[]{{1000, 1480, 1.75, 0.28, -1e9}, {856, 2366, 1.24, 5, -1e9}, {1000, 1480, 0, 2, -1e9}};
+  for (const MieGruneisen& law : laws)
+    for (const double pressure : {-5e8, 0.0, 1e6, 0.5 * highest_start(law), 0.999 * highest_start(law)}) {
+      FluidState<double> state = start_at(law, pressure);
+      EXPECT_GT(state.ratio, 0);
+      EXPECT_NEAR(state.energy, 0.5 * pressure * (1 - state.ratio), 1e-15 * std::abs(pressure)) << "round-off of the volume";
+      update_pressure(law, state.ratio, state);
+      EXPECT_NEAR(state.pressure, pressure, 1e-6 * std::abs(pressure) + 1e-6);
+    }
+}
+
 TYPED_TEST(Fluids, TakeUpTheWorkOfTheirPressure) {
   const TypeParam law = of(static_cast<TypeParam*>(nullptr));
   FluidState<double> state = start_at(law, 1e5);
