@@ -22,8 +22,6 @@ namespace {
 using geometry::Closest;
 using geometry::Kind;
 
-constexpr double tie_past_border = 0.05;  // of a facet's size: half of what a border apex stands for lies inside
-
 /// How an apex stands over its nearest facet at the start.
 struct Start {
   Index facet = -1;   ///< -1: none within reach
@@ -70,7 +68,7 @@ Memory memory_at_start(const Interface& interface) {
 bool tie(const Vectors& x, Index a, const Start& start, Interface& interface, Memory& memory) {
   if (start.facet < 0) return false;
   const Index facet = start.stand.feature.facet;
-  if (start.stand.past > tie_past_border * std::sqrt(area_vector(interface.base, x, facet).norm())) return false;
+  if (is_past_border(interface.base, x, start.stand)) return false;
   interface.ties[a] = tie_over(interface, x, a, facet);
   memory.feature[a] = {facet, Kind::facet, 0};
   memory.status[a] = Status::open;

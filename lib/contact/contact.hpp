@@ -43,9 +43,9 @@
 //
 //     a penalty      a spring of 1/delta per area, shortest exit d, energy 1/2 k |d|^2: tracking/shortest_exit.hpp, penalty/advance.hpp.
 //                    Nothing is predicted or solved; friction has an elastic stick; the spring may shorten the time step
-//     a tie          an apex stays over its point of the base, pulled as well as pushed: multiplier/tie.hpp, or by a penalty. By
-//                    multipliers a solver of its own finds the three components of each tie: before contact, and again after each
-//                    iteration if contact acts on nodes of ties
+//     a tie          an apex stays over its point of the base, pulled as well as pushed, or slides at its height: multiplier/tie.hpp, or
+//                    by a penalty. By multipliers a solver of its own finds the impulses of all ties: before contact, and again after
+//                    each iteration if contact acts on nodes of ties
 //     a rigid plane  nodes over a plane that stands still, by multipliers (default, multiplier/assemble.hpp) or by a penalty
 //                    (penalty/rigid_plane.hpp). Floors and symmetry planes are constraints and no contact: load/constraints.hpp
 //     a shape        a round rigid body that touches as a shape, not by its facets: data/shape.hpp, multiplier/shape_points.hpp

@@ -87,6 +87,7 @@ Connected connect_one_pass(Model& model, const std::string& name, const std::str
   contact::Interface interface;
   interface.name = name;
   interface.kind = options.kind;
+  interface.slides = options.slides;
   interface.method = options.method;
   interface.base = contact::base_surface(base, model.mesh.X);
   contact::mark_halves(interface.base, mesh::faces(model.mesh, base));

@@ -19,6 +19,7 @@ struct InterfaceOptions {
   bool edges = true;         ///< of both surfaces touch each other too, by multipliers
   /// Of points: in two passes, of which the second guards; with plates, and between rigid bodies, nodes in one pass
   contact::Heights heights = contact::Heights::nodes;
+  bool slides = false;       ///< of ties by multipliers: they hold along the normal alone
   bool two_passes = false;   ///< each surface has apexes over the other, with half the penalty each
   double damping_ratio = 0;  ///< [-] of an apex on its base, over the critical damping of the stiffest pair
   contact::Weights weights = contact::Weights::consistent;

@@ -168,7 +168,7 @@ Traction traction_at(const View& view, std::size_t c, Index apex, const std::vec
   const auto& interface = std::get<contact::Interface>(view.model.contacts[c]);
   const Vec3 push = allowed_of(interface, apex, on->push);
   if (interface.kind == contact::InterfaceKind::tied && interface.ties[apex].facet >= 0) {
-    const Vec3 normal = contact::normal_of(interface, apex, view.now.x);
+    const Vec3 normal = contact::normal_of(interface, *contact::near(std::get<contact::Memory>(view.now.contacts[c]), apex), view.now.x);
     const double pressure = push.dot(normal) / interface.area(apex);
     return {pressure, (push / interface.area(apex) - pressure * normal).norm()};
   }

@@ -1,9 +1,10 @@
 // What one update of an element costs in Nereid, to be put beside tests/benchmark/floor.cpp.
 //
-//     cost hexahedra|springs|viscous|full|plates|kept|contact|automatic|tied N STEPS
+//     cost hexahedra|springs|viscous|full|elastic|fluid|plates|kept|contact|automatic|tied N STEPS
 //
 // A block of N^3 hexahedra (one point with assumed strains, springs or dashpots, or eight points), or a sheet of about 2 N^2 plates
-// whose thickness follows their strain or is kept, plastic, on one thread. Prints the nanoseconds per element update of the element
+// whose thickness follows their strain or is kept, plastic, on one thread; `elastic` and `fluid` have the options of a scene that says
+// nothing, with viscosity, and are compressed. Prints the nanoseconds per element update of the element
 // kernels alone and of the whole step with its ledger.
 // Contact presses a block of 2N x 2N x N cells on one of N x N x N/2, and prints the nanoseconds of the interface per near apex and step,
 // closed and open, beside the step of the elements, the bytes that an apex takes that is near and one that is far, and what contact adds
@@ -38,7 +39,7 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-dynamics::Model hexahedra(int n, const material::J2Bilinear& law, const element::AnyHexahedronOptions& options) {
+dynamics::Model hexahedra(int n, const element::AnyLaw& law, const element::AnyHexahedronOptions& options) {
   dynamics::Model model;
   model.mesh = mesh::box("block", {Vec3::Zero(), Vec3::Ones(), {n, n, n}});
   model.blocks.push_back(element::solids(model.mesh, "block", law, options));
@@ -378,11 +379,14 @@ int main(int argc, char** argv) {
   const dynamics::Model model = kind == "plates" ? plates(n, law, element::Plate::Thinning::by_law)
                                 : kind == "kept" ? plates(n, law, element::Plate::Thinning::constant)
                                 : kind == "full" ? hexahedra(n, law, element::FullHexahedron::Options{})
+                                : kind == "fluid"   ? hexahedra(n, material::LinearFluid{1.0, 1.0, 0.0}, element::Fluid::Options{})
+                                : kind == "elastic" ? hexahedra(n, material::Elastic{1.0, 1.0, 0.3}, Hexahedron::Options{})
                                                  : hexahedra(n, law, one_point);
   dynamics::State state = dynamics::initial_state(model, {});
   dynamics::Forces forces = dynamics::make_forces(model);
-  for (Eigen::Index node = 0; node < state.v.cols(); ++node)  // stretched and sheared, so that it flows
-    state.v.col(node) = Vec3(0.02 * model.mesh.X(0, node), 0.01 * model.mesh.X(0, node), 0.01 * model.mesh.X(1, node));
+  const double along = kind == "fluid" || kind == "elastic" ? -0.02 : 0.02;
+  for (Eigen::Index node = 0; node < state.v.cols(); ++node)  // stretched or compressed, and sheared, so that it flows
+    state.v.col(node) = Vec3(along * model.mesh.X(0, node), 0.01 * model.mesh.X(0, node), 0.01 * model.mesh.X(1, node));
   const double dt = 0.5 * dynamics::start(model, state, forces).elements.step;
 
   double began = seconds();

@@ -69,11 +69,13 @@ CASES = {
     "restitution, conditions to stop": (
         "long_bar_on_a_wall/case.yaml", {"bodies[0].mesh.cells": [500, 1, 1], "planes[0].restitution": 0.5, "stop": STOP}),
     "a mesh from a file": ("invariance_scenes/strike.yaml", {}),
+    "three fluids, a wave that comes and goes, a tie that slides": ("invariance_scenes/splash.yaml", {}),
     "a section, a table, a pair that touched": ("../tests/drivers/cases/pushed.yaml", {}),
 }
 # what some case must hold, as its summary has it: a section, and values of one item in it
 KINDS = [
     "bodies material.kind=elastic", "bodies material.kind=neo_hookean", "bodies material.kind=johnson_cook",
+    "bodies material.kind=linear_fluid", "bodies material.kind=mie_gruneisen", "bodies material.kind=ideal_gas",
     "bodies material.hardening=isotropic",
     "bodies material.hardening=kinematic", "bodies material.hardening=mixed", "bodies rigid=True", "bodies mesh.kind=file",
     "bodies element.kind=full", "bodies element.hourglass_kind=assumed_strain", "bodies element.hourglass_kind=stiffness",
@@ -81,12 +83,13 @@ KINDS = [
     "contacts kind=contact method=multiplier friction=0.4", "contacts kind=contact method=multiplier passes=two",
     "contacts kind=contact method=penalty passes=two friction=0.25 damping_ratio=0.1",
     "contacts kind=contact method=penalty weights=paper area=base", "contacts method=penalty step_factor=0.4",
-    "contacts kind=tied method=multiplier", "contacts kind=tied method=penalty", "contacts contact_height=initial",
+    "contacts kind=tied method=multiplier", "contacts kind=tied slides=True",
+    "contacts kind=tied method=penalty", "contacts contact_height=initial",
     "contacts kinetic_friction=0.2", "contacts kind=automatic method=multiplier friction=0.3", "contacts kind=automatic method=penalty",
     "planes kind=symmetry", "planes kind=constrained", "planes kind=fixed", "planes kind=driven", "planes kind=floor",
     "planes kind=rigid method=multiplier restitution=0.5", "planes kind=rigid method=multiplier friction=0.2",
     "planes kind=rigid method=penalty friction=0.2",
-    "loads kind=pressure", "loads kind=force", "loads kind=moment", "loads kind=body_force",
+    "loads kind=pressure", "loads kind=force", "loads kind=moment", "loads kind=body_force", "loads kind=radiation",
     "springs to=ground", "springs to=upper.corner", "point_masses", "initial", "stages", "sections",
     "stop dipped", "stop steady", "stop rest", "touched sides=['strip', 'strip']", "ending word=stopped_by_condition",
 ]

@@ -1677,13 +1677,15 @@ TEST(Resume, HasTheBitsOfARunWithoutABreakForEveryContact) {
   InterfaceOptions multiplier = rubbing(contact::Weights::consistent), tied_by_multipliers = plain;
   multiplier.method = tied_by_multipliers.method = contact::Method::multiplier;
   tied_by_multipliers.kind = contact::InterfaceKind::tied;
+  InterfaceOptions sliding_tie = tied_by_multipliers;
+  sliding_tie.slides = true;
   by_base.area = contact::Area::base;
   accepted.initial_penetration = contact::InitialPenetration::accept;
   two_passes.two_passes = true;
   damped.damping_ratio = 0.3;
   tied.kind = contact::InterfaceKind::tied;
   for (InterfaceOptions options : {plain, two_passes, damped, tied, by_base, accepted, multiplier, tied_by_multipliers,
-                                   rubbing(contact::Weights::consistent), rubbing(contact::Weights::paper)}) {
+                                   sliding_tie, rubbing(contact::Weights::consistent), rubbing(contact::Weights::paper)}) {
     options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
     Scene s;
     s.model.mesh = mesh::join(mesh::box("below", {{0, 0, 0}, {0.4, 0.4, 0.2}, {4, 4, 2}}),

@@ -47,6 +47,7 @@ BREAKS = [
     Breaks("plates: in the mirror", "a moment mirrored as if it were a force",
            {"loads[1].value": '["{:.17g}", "{:.17g}", "0.05 * cos(4e4*t)"]'.format(*twins.product(M, (0.1, 0.02, 0)))}),
     Breaks("stack: in the mirror", "the normal of a rigid plane that is not mirrored", {"planes[0].normal": "[0.02, -0.01, 1]"}),
+    Breaks("splash: in the mirror", "a velocity that is not mirrored", {"initial[0].velocity": '["25", "4", "-60"]'}),
     Breaks("press: in the mirror", "an initial field that is not mirrored", {"initial[0].velocity": '["40*x", "45*y", "0"]'}),
 ]
 

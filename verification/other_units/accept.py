@@ -83,6 +83,8 @@ BREAKS = [
            {"gravity": "[0 m/s^2, 0 m/s^2, -30000 m/s^2]"}),
     Breaks("press: sizes, masses and times by powers of two", "a clearance that keeps its size",
            {"contacts[0].clearance": "0.02 mm"}),
+    Breaks("splash: sizes, masses and times by powers of two", "a gravity that keeps its number",
+           {"gravity": "[1200 m/s^2, 500 m/s^2, -20000 m/s^2]"}),
     Breaks("ball: sizes, masses and times by powers of two", "a gravity that keeps its number",
            {"gravity": "[0 m/s^2, 0 m/s^2, -9.81 m/s^2]"}),
 ]

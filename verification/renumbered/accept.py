@@ -78,6 +78,7 @@ BREAKS = [
     Breaks("strike: other numbers", "another step", {"contacts[0].energy_gain_limit": 0.004}),
     Breaks("stack: other numbers", "another tangential penalty", {"contacts[0].tangential_penalty": 0.5}),
     Breaks("press: other numbers", "another step", {"contacts[0].energy_gain_limit": 0.004}),
+    Breaks("splash: other numbers", "another step", {"time.safety": 0.2}),
     Breaks("plates: other numbers", "another step", {"time.safety": 0.2}),
     Breaks(FROM_OTHER_CORNERS, "another step on one side", {"time.safety": 0.2}),
 ]

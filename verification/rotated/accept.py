@@ -56,6 +56,7 @@ BREAKS = [
     Breaks("plates: turned and moved", "a gravity that is not turned", {"gravity": "[0 m/s^2, 3000 m/s^2, -9000 m/s^2]"}),
     Breaks("stack: turned and moved", "a gravity that is not turned", {"gravity": "[0 m/s^2, 0 m/s^2, -30000 m/s^2]"}),
     Breaks("press: turned and moved", "the normal of a moving plane that is not turned", {"planes[2].normal": "[0, 0, 1]"}),
+    Breaks("splash: turned and moved", "a gravity that is not turned", {"gravity": "[1200 m/s^2, 500 m/s^2, -20000 m/s^2]"}),
     Breaks("ball: turned and moved", "a velocity turned the other way round: Q transposed",
            {"initial[0].velocity": '["{:.17g}", "{:.17g}", "{:.17g}"]'.format(*twins.product(twins.transposed(Q), (5, 2, -20)))}),
 ]

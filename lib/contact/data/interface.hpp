@@ -16,7 +16,7 @@ namespace nereid::contact {
 /// Whether an apex may leave its base.
 enum class InterfaceKind {
   contact,  ///< unilateral: pushes only, and the apex slides from base to base
-  tied,     ///< the apex stays over the point of its base where it began, pulled as well as pushed
+  tied,     ///< the apex is pulled as well as pushed: it stays over the point of its base where it began, unless Interface::slides
 };
 
 /// How friction on an apex is shared out over its base, and against what its sliding is measured.
@@ -86,7 +86,8 @@ struct Interface : Sides, Springs {
   Scalars facet_area;            ///< [m2] of the reference, [facets]
   Scalars contact_height;        ///< [m] h_c, [apexes], with plates as thick as at the start
   bool follows_thickness = false;  ///< whether h_c changes as plates do: see Memory::thicker
-  std::vector<Tie> ties;             ///< [apexes] of a tied interface; set by connect()
+  std::vector<Tie> ties;             ///< [apexes] of a tied interface, where they begin; set by connect()
+  bool slides = false;               ///< of ties by multipliers: they hold along the normal alone
   Pass pass = Pass::only;
   double pass_factor = 1;              ///< [-] part of the stiffness, or impedance, between its nodes: 1/2 in each of two passes
   Weights weights = Weights::consistent;

@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "contact/multiplier/condition.hpp"
@@ -23,6 +25,7 @@ constexpr int most_iterations = 200;
 constexpr int most_turns = 8;            // of linear solutions, where facets turn under ties with a height
 constexpr double of_a_turn = 1e-9;       // of what is missing, by energy: one of them need not be better, since facets turn by more
 constexpr Index grain = 2048;            // a thread takes longer to wake than to do less
+constexpr double past_border = 0.05;     // of the size of a facet
 
 /// Derivatives of the shape functions of a facet or face at the point of a tie. [-]
 struct Slopes {
@@ -48,16 +51,19 @@ Tangents tangents(const HeldTie& b, const Slopes& slope, const Vectors& x) {
   return sum;
 }
 
-/// A tie with its nodes.
-HeldTie held_tie(const Interface& interface, Index a) {
-  const Tie& tie = interface.ties[a];
+/// Puts a tie on its nodes.
+void set_nodes(const Interface& interface, const Tie& tie, HeldTie& b) {
   const Half& half = interface.base.half[tie.facet];
-  HeldTie b;
+  b.facet = tie.facet;
   b.nodes = tie.on_face ? 5 : 4;
   b.first = tie.on_face ? half.cut : 0;
-  b.node[0] = interface.apexes[a], b.weight[0] = 1;
   for (int I = 0; I < 3; ++I) b.node[I + 1] = interface.base.facets((b.first + I) % 3, tie.facet);
   b.node[4] = half.fourth;
+}
+HeldTie held_tie(const Interface& interface, Index a) {
+  HeldTie b;
+  b.node[0] = interface.apexes[a], b.weight[0] = 1;
+  set_nodes(interface, interface.ties[a], b);
   return b;
 }
 void set_weights(const Tie& tie, HeldTie& b) {
@@ -93,6 +99,67 @@ void place(const Interface& interface, Index a, const Vectors& x, HeldTie& b) {
   if (b.height == 0) return;
   const Vec3 of_a = along.by_b.cross(b.normal) / size, of_b = b.normal.cross(along.by_a) / size;  // gradients of a and b
   for (int I = 0; I < b.nodes - 1; ++I) b.gradient[I] = slope.by_a[I] * of_a + slope.by_b[I] * of_b;
+}
+
+/// The foot of an apex that slides, from a facet on; false where it stands past the border of the base.
+///
+/// foot  its height is not used
+bool find_foot(const Interface& interface, const Vectors& x, Index a, Index from, Tie& foot, FeatureHeight& over) {
+  const BaseSurface& base = interface.base;
+  const Vec3 p = x.col(interface.apexes[a]);
+  const Stand at = stand(base, x, p, from);
+  foot.facet = at.feature.facet;
+  if (is_past_border(base, x, at)) return false;
+  // over its facet at a ridge too: the direction to an edge from a point on it is round-off
+  const Feature feature{foot.facet, geometry::Kind::facet, 0};
+  over = height_over(base, x, feature, p);
+  foot.weight[3] = 0;
+  foot.on_face = stand_on_face(base, x, p, feature, 0, nullptr, over, foot.weight[3]);
+  std::copy(over.weight.begin(), over.weight.end(), foot.weight.begin());
+  return true;
+}
+
+/// Moves a tie that slides to where its apex stands at t; returns whether its nodes are others than before.
+///
+/// near  its stencil of the step before says where it was, if there was one
+bool slide(const Interface& interface, const Vectors& x, const Near& near, bool is_free, HeldTie& b) {
+  const Index a = near.apex;
+  const int nodes_before = b.nodes;
+  const Index facet_before = b.facet;
+  Tie foot = interface.ties[a];
+  FeatureHeight over;
+  const Index from = near.element.count > 0 ? near.element.stencil[0].facet : foot.facet;
+  b.height = 0;
+  b.off.setZero(), b.normal.setZero();
+  if (is_free || !find_foot(interface, x, a, from, foot, over)) {
+    b.nodes = 1, b.facet = from;
+    return nodes_before != 1;
+  }
+  set_nodes(interface, foot, b);
+  const double height = std::exchange(foot.height, 0);
+  set_weights(foot, b);
+  b.normal = over.normal;
+  b.off = (over.height - height) * over.normal;
+  return b.nodes != nodes_before || b.facet != facet_before;
+}
+
+/// The impulse that alone takes a rate, as far as the tie holds it. Of a tie that slides it has no part across the normal, not even
+/// round-off: in the course of the solver nothing would take that back.
+Vec3 impulse_against(const HeldTie& b, const Vec3& rate) {
+  return b.slides ? Vec3(b.along * b.normal.dot(rate) * b.normal) : Vec3(b.inverse * rate);
+}
+
+/// What an impulse along the normal does to the rate along it, and the inverse of that. Nothing of an apex that is let go.
+void respond_along_normal(const Motion& m, HeldTie& b) {
+  double all = 0, free = 0;
+  for (int j = 0; j < b.nodes; ++j) {
+    const double one = b.weight[j] * b.weight[j] / m.mass(b.node[j]);
+    const Mat3* let = m.allowed[b.node[j]];
+    free += one;
+    if (b.nodes > 1) all += let ? one * b.normal.dot(*let * b.normal) : one;
+  }
+  b.per_mass = free;
+  b.along = all > no_response * free ? 1 / all : 0;
 }
 
 /// What an impulse on a tie does to its own rate, and the inverse of that where nodes can move. A direction in which they are held and
@@ -190,7 +257,7 @@ bool look(const Motion& m, const Vectors& velocity, Ties& all) {
     HeldTie& b = all.held[i];
     b.change.setZero();
     b.residual = missing(b, m, velocity);
-    b.guess = b.inverse * b.residual;
+    b.guess = impulse_against(b, b.residual);
   });
   return is_held(all);
 }
@@ -208,14 +275,14 @@ void solve(const Motion& m, Ties& all) {
   for (HeldTie& b : all.held) b.way = b.guess, b.way_answer = b.answer;
   for (int k = 0; k < most_iterations; ++k) {
     ++all.iterations;
-    const double size = sum(all, [](const HeldTie& b) { return b.way_answer.dot(b.inverse * b.way_answer); });
+    const double size = sum(all, [](const HeldTie& b) { return b.way_answer.dot(impulse_against(b, b.way_answer)); });
     if (!(size > 0)) return;
     const double step = power / size;
     parallel_for(count, grain, [&](Index i) {
       HeldTie& b = all.held[i];
       b.change += step * b.way;
       b.residual -= step * b.way_answer;
-      b.guess -= step * (b.inverse * b.way_answer);
+      b.guess = impulse_against(b, b.residual);
     });
     if (is_held(all, enough)) return;
     const double before = power;
@@ -229,7 +296,54 @@ void solve(const Motion& m, Ties& all) {
   }
 }
 
+/// Lists the nodes of the ties, and the ties of each.
+void list_nodes(Ties& all) {
+  all.nodes.clear();
+  all.begin.clear();
+  std::fill(all.begin_of.begin(), all.begin_of.end(), 0);
+  for (const HeldTie& b : all.held)
+    for (int j = 0; j < b.nodes; ++j) ++all.begin_of[b.node[j]];
+  Index sum = 0;
+  for (std::size_t node = 0; node < all.begin_of.size(); ++node) {
+    const Index uses = all.begin_of[node];
+    all.has[node] = uses > 0;
+    if (uses > 0) all.nodes.push_back(static_cast<Index>(node)), all.begin.push_back(sum);
+    all.begin_of[node] = sum;
+    sum += uses;
+  }
+  all.begin.push_back(sum);
+  all.uses.resize(static_cast<std::size_t>(sum));
+  for (std::size_t b = 0; b < all.held.size(); ++b)
+    for (int j = 0; j < all.held[b].nodes; ++j) all.uses[all.begin_of[all.held[b].node[j]]++] = {static_cast<Index>(b), j};
+}
+
+/// Moves all ties that slide.
+void slide_all(std::span<const AnyContact> contacts, const Vectors& x, std::span<const AnyMemory> memories, Ties& all) {
+  bool others = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (all.first[i] == all.first[i + 1] || !std::get<Interface>(contacts[i]).slides) continue;
+    const Interface& interface = std::get<Interface>(contacts[i]);
+    const auto& memory = std::get<Memory>(memories[i]);
+    parallel_for(static_cast<Index>(memory.near.size()), grain, [&](Index k) {
+      HeldTie& b = all.held[all.first[i] + k];
+      const Near& near = memory.near[k];
+      b.has_walked = slide(interface, x, near, memory.status[near.apex] == Status::unpaired, b);
+    });
+    for (const HeldTie& b : ties_of(all, i)) others = others || b.has_walked;
+  }
+  if (others) list_nodes(all);
+}
+
 Vec3 rate_before(const HeldTie& b, const Motion& m) { return rate(b, m.v); }
+
+/// Leaves an apex that has slid off its base without a force.
+void let_go(Near& near, Memory& memory) {
+  near.element.closed = false;
+  near.element.count = 0;
+  near.element.apex.setZero();
+  memory.status[near.apex] = Status::unpaired;
+  memory.gap[near.apex] = std::numeric_limits<double>::quiet_NaN();
+}
 
 }  // namespace
 
@@ -260,18 +374,11 @@ Ties make_ties(std::span<const AnyContact> contacts, Index nodes) {
     all.first.push_back(static_cast<Index>(all.held.size()));
   }
   if (all.held.empty()) return all;
-  std::vector<std::vector<Ties::Use>> of_node(static_cast<std::size_t>(nodes));
-  for (std::size_t b = 0; b < all.held.size(); ++b)
-    for (int j = 0; j < all.held[b].nodes; ++j) of_node[all.held[b].node[j]].push_back({static_cast<Index>(b), j});
   all.has.assign(static_cast<std::size_t>(nodes), false);
-  for (Index node = 0; node < nodes; ++node) {
-    if (of_node[node].empty()) continue;
-    all.has[node] = true;
-    all.nodes.push_back(node);
-    all.begin.push_back(static_cast<Index>(all.uses.size()));
-    all.uses.insert(all.uses.end(), of_node[node].begin(), of_node[node].end());
-  }
-  all.begin.push_back(static_cast<Index>(all.uses.size()));
+  all.begin_of.assign(static_cast<std::size_t>(nodes), 0);
+  all.uses.reserve(5 * all.held.size());
+  all.nodes.reserve(static_cast<std::size_t>(nodes)), all.begin.reserve(static_cast<std::size_t>(nodes) + 1);
+  list_nodes(all);
   all.change = Vectors::Zero(3, nodes);
   all.partial.reserve(all.held.size());
   return all;
@@ -280,22 +387,29 @@ Ties make_ties(std::span<const AnyContact> contacts, Index nodes) {
 void find_ties(std::span<const AnyContact> contacts, const Motion& m, std::span<const AnyMemory> memories, Vectors& velocity, Ties& all) {
   if (all.held.empty()) return;
   const double h = 0.5 * (m.dt + m.next);
+  slide_all(contacts, m.x, memories, all);
   if (m.driven)
     for (const Index node : all.nodes) velocity.col(node) += m.driven->col(node);
   all.any_height = false;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (all.first[i] == all.first[i + 1]) continue;
     const Interface& interface = std::get<Interface>(contacts[i]);
-    for (const Tie& tie : interface.ties) all.any_height = all.any_height || tie.height != 0;
+    for (const Tie& tie : interface.ties) all.any_height = all.any_height || (tie.height != 0 && !interface.slides);
     const std::vector<Near>& near = std::get<Memory>(memories[i]).near;
     parallel_for(static_cast<Index>(near.size()), grain, [&](Index k) {
       HeldTie& b = all.held[all.first[i] + k];
-      place(interface, near[k].apex, m.x, b);
-      respond(m, allowed_of(interface, near[k].apex), b);
+      b.slides = interface.slides;
+      if (b.slides) {
+        respond_along_normal(m, b);
+      } else {
+        place(interface, near[k].apex, m.x, b);
+        respond(m, allowed_of(interface, near[k].apex), b);
+      }
       double fastest = 0;
       for (int j = 0; j < b.nodes; ++j) fastest = std::max(fastest, velocity.col(b.node[j]).squaredNorm());
       b.still = stands_still * std::sqrt(fastest);
       b.impulse = near[k].element.closed && m.dt > 0 ? Vec3(h * near[k].element.apex) : Vec3(Vec3::Zero());
+      if (b.slides) b.impulse = b.nodes > 1 ? Vec3(b.impulse.dot(b.normal) * b.normal) : Vec3(Vec3::Zero());
     });
   }
   set_change(m, all, [](const HeldTie& b) { return b.impulse; });
@@ -326,17 +440,23 @@ void take_over(const Interface& interface, const Motion& m, std::span<const Held
     const Vec3 force = b.impulse / h, before = rate_before(b, m), after = rate(b, velocity);
     Stencil& hold = element.stencil[0] = {};
     Stencil& couple = element.stencil[1] = {};
-    const Tie& tie = interface.ties[near.apex];
-    hold.facet = couple.facet = tie.facet;
+    if (b.nodes == 1) {
+      if (memory.status[near.apex] != Status::unpaired) ++memory.lost;
+      let_go(near, memory);
+      continue;
+    }
+    hold.facet = couple.facet = b.facet;
     hold.push = force, couple.apex = 0, couple.push = -b.height * b.normal;
-    for (int I = 0; I < 3; ++I) hold.weight[I] = tie.weight[I];
-    if (tie.on_face) hold.fourth = tie.weight[3];
+    for (int I = 0; I < 3; ++I) hold.weight[(b.first + I) % 3] = -b.weight[I + 1];
+    if (b.nodes == 5) hold.fourth = -b.weight[4];
     element.count = 1;
     if (b.height != 0) {
       element.count = 2;
       for (int I = 0; I < 3; ++I) couple.weight[(b.first + I) % 3] = force.dot(b.gradient[I]);
-      if (tie.on_face) couple.fourth = force.dot(b.gradient[3]);
+      if (b.nodes == 5) couple.fourth = force.dot(b.gradient[3]);
     }
+    if (memory.feature[near.apex].facet != b.facet) ++memory.walks, ++memory.reconnections[near.apex];
+    memory.feature[near.apex] = {b.facet, geometry::Kind::facet, 0};
     element.closed = true;
     element.scale = 1;
     element.apex = force;
@@ -350,6 +470,8 @@ void take_over(const Interface& interface, const Motion& m, std::span<const Held
   sum_force(m.dt, memory);
   memory.work += m.dt * m.dt / 8 * (power_rate - memory.power_rate);
   memory.power_rate = power_rate;
+  // an edge of the base stops what slides over it; what it gives back is not dissipated, so the most that was taken counts
+  if (interface.slides) memory.impact = std::max(memory.impact, -memory.work);
 }
 
 void book_start(const Motion& m, std::span<const HeldTie> ties, const Vectors& velocity, Memory& memory, Vectors& impulse) {
@@ -365,6 +487,10 @@ void book_start(const Motion& m, std::span<const HeldTie> ties, const Vectors& v
   }
   memory.work += work;
   memory.impact += std::max(0.0, -work);
+}
+
+bool is_past_border(const BaseSurface& base, const Vectors& x, const Stand& at) {
+  return at.past > past_border * std::sqrt(area_vector(base, x, at.feature.facet).norm());
 }
 
 Tie tie_over(const Interface& interface, const Vectors& x, Index apex, Index facet) {
@@ -386,8 +512,13 @@ void tie_here(const Vectors& x, Interface& interface) {
   }
 }
 
-Vec3 normal_of(const Interface& interface, Index apex, const Vectors& x) {
+Vec3 normal_of(const Interface& interface, const Near& near, const Vectors& x) {
+  const Index apex = near.apex;
   HeldTie b = held_tie(interface, apex);
+  if (interface.slides) {
+    slide(interface, x, near, false, b);
+    return b.normal;
+  }
   set_weights(interface.ties[apex], b);
   return tangents(b, slopes(b), x).area().normalized();
 }

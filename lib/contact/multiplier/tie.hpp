@@ -1,5 +1,5 @@
 #pragma once
-// Ties without a penalty: in each step the impulses after which every tied apex is over its point of the base again.
+// Ties without a penalty: in each step the impulses after which every tied apex is over its point of the base again, or at its height.
 //
 // Its point of the base is the point (a, b) of a bilinear face of a hexahedron, else of a facet. There t_a and t_b are the derivatives of
 // place, n = t_a x t_b / A with A = |t_a x t_b|, and the gradients of the shape functions in the surface are
@@ -13,31 +13,39 @@
 // so impulses have no resultant, and no moment where d vanishes. They keep d zero to the end of the step to come, with all turns of facets,
 // and take a fifth of what round-off has left of it. Preconditioned conjugate residuals find them all together: no order of the ties
 // counts, and ties may say the same twice. docs/theory/multipliers.md has more.
+//
+// A tie that slides (Interface::slides) holds n . d alone, with the foot of its apex at t in place of the point where it began. The
+// gradient of this height is n on the apex and -w_I n on the base, whatever h is, so its impulse J = J n has no couple.
 
 #include <span>
 
 #include "contact/data/any.hpp"
 #include "contact/multiplier/motion.hpp"
+#include "contact/surface/stand.hpp"
 
 namespace nereid::contact {
 
 /// One tied apex in a step.
 struct HeldTie {
-  int nodes;                     ///< 4 over a facet, 5 over a face of a hexahedron
+  int nodes;                     ///< 4 over a facet, 5 over a face of a hexahedron; 1 of an apex that has slid off its base
+  Index facet;                   ///< over which it is now
   int first;                     ///< of the facet's nodes: that where the cut of the face begins
   std::array<Index, 5> node;     ///< the apex, then those of the facet from `first` on, then Half::fourth
   std::array<double, 5> weight;  ///< 1, then minus those of the tie
   std::array<Vec3, 4> gradient;  ///< [1/m] of the shape functions, at t; of a tie with a height
   Vec3 normal;                   ///< of the base at the point of the tie, at t
-  double height;                 ///< [m]
+  double height;                 ///< [m] that the facet's turns move; zero of a tie that slides
   Vec3 off;                      ///< [m] d at t
   Mat3 inverse;                  ///< [kg] of what an impulse on it does to its own rate; without directions in which nothing moves
+  double along;                  ///< [kg] the same along the normal, of a tie that slides
+  bool slides;                   ///< it holds along the normal alone
   double per_mass;               ///< [1/kg] mean over the directions, as if nothing were constrained
   double still;                  ///< [m/s] rate that is round-off
   Vec3 impulse;                  ///< [N s] on the apex, so far
   Vec3 change;                   ///< [N s] what the solver adds to it
   Vec3 residual, guess, answer;  ///< of the solver: missing rate [m/s], impulse of that alone [N s], rate that this makes [m/s]
   Vec3 way, way_answer;          ///< the same of its direction
+  bool has_walked = false;       ///< of a tie that slides: in this step to another facet
 };
 
 /// What ties by multipliers work with and may throw away between steps.
@@ -50,8 +58,9 @@ struct Ties {
   std::vector<Index> first;      ///< [interfaces, then one] of their ties
   Subset nodes;                  ///< ascending
   std::vector<Index> begin;      ///< [nodes, then one] of their uses
-  std::vector<Use> uses;
+  std::vector<Use> uses;         ///< with room for all ties over faces
   std::vector<bool> has;         ///< [nodes of the mesh]
+  Subset begin_of;               ///< [nodes of the mesh] where uses are counted
   Vectors change;                ///< [m/s] [nodes of the mesh] what the impulses of the solver do
   std::vector<double> partial;   ///< sums of ranges, in order
   bool any_height = false;       ///< some tie has one
@@ -69,6 +78,8 @@ inline std::span<const HeldTie> ties_of(const Ties& all, std::size_t interface) 
 Ties make_ties(std::span<const AnyContact>, Index nodes);
 
 /// Starts a step: ties as they stand at t, with the impulses of the step before as a first guess, and solves them.
+///
+/// Ties that slide are moved to where their apexes stand; those past the border of their base are let go for good.
 ///
 /// velocity  [m/s] of the step to come without ties; then with them
 void find_ties(std::span<const AnyContact>, const Motion&, std::span<const AnyMemory>, Vectors& velocity, Ties&);
@@ -93,6 +104,9 @@ void take_over(const Interface&, const Motion&, std::span<const HeldTie> ties, c
 /// impulse  [N s] on the nodes, added to
 void book_start(const Motion&, std::span<const HeldTie> ties, const Vectors& velocity, Memory&, Vectors& impulse);
 
+/// Whether an apex stands too far past the border of its base to be tied: half of what a border apex stands for lies inside.
+bool is_past_border(const BaseSurface&, const Vectors& x, const Stand&);
+
 /// The tie of an apex at x over a facet; by multipliers over the face that this is half of.
 Tie tie_over(const Interface&, const Vectors& x, Index apex, Index facet);
 
@@ -100,6 +114,6 @@ Tie tie_over(const Interface&, const Vectors& x, Index apex, Index facet);
 void tie_here(const Vectors& x, Interface&);
 
 /// The normal of the base at the point where an apex is tied. Unit vector.
-Vec3 normal_of(const Interface&, Index apex, const Vectors& x);
+Vec3 normal_of(const Interface&, const Near&, const Vectors& x);
 
 }  // namespace nereid::contact

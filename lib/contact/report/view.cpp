@@ -54,7 +54,7 @@ ElementView view(const Interface& interface, const Vectors& x, const Memory& mem
   }
   if (v.status != Status::closed) return v;
   if (tied_by_multipliers(interface)) {
-    const Vec3 force = near->element.apex, normal = normal_of(interface, apex, x);
+    const Vec3 force = near->element.apex, normal = normal_of(interface, *near, x);
     v.traction = force.dot(normal) / interface.area(apex);
     v.shear_traction = (force - force.dot(normal) * normal).norm() / interface.area(apex);
     return v;

@@ -36,7 +36,8 @@ struct Tied {
     if (base == Base::faces) mark_halves(in.base, faces_of_sheet(4, 4));
     return scene_of(std::move(x), std::move(in), {true, 0, 0});
   }
-  explicit Tied(const std::vector<Vec3>& apexes, Base base = Base::faces) : scene(made(apexes, base)) {
+  explicit Tied(const std::vector<Vec3>& apexes, Base base = Base::faces, bool slides = false) : scene(made(apexes, base)) {
+    scene.interface.slides = slides;
     const Index nodes = static_cast<Index>(scene.x.cols());
     std::mt19937 engine(4);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -131,7 +132,7 @@ TEST_P(BondByMultipliersOver, HoldsAtTheEndOfEveryStepAndKeepsMomenta) {
     at.step();
     for (const HeldTie& b : at.all.ties.held) {
       const Interface& glue = at.scene.interface;
-      const Vec3 n = normal_of(glue, static_cast<Index>(&b - at.all.ties.held.data()), at.scene.x);
+      const Vec3 n = normal_of(glue, at.scene.memory.near[static_cast<std::size_t>(&b - at.all.ties.held.data())], at.scene.x);
       Vec3 d = at.scene.x.col(b.node[0]) - b.height * n;
       for (int j = 1; j < b.nodes; ++j) d += b.weight[j] * at.scene.x.col(b.node[j]);
       EXPECT_LT(d.norm(), 1e-13) << s;
@@ -188,7 +189,7 @@ TEST(TieByMultipliers, NormalOverAFaceIsThatOfItsBilinearSurface) {
     };
     constexpr double small = 1e-5;
     const Vec3 n = (point(across + small, up) - point(across - small, up)).cross(point(across, up + small) - point(across, up - small));
-    EXPECT_LT((normal_of(glue, static_cast<Index>(k), at.scene.x) - n.normalized()).norm(), 1e-10);
+    EXPECT_LT((normal_of(glue, at.scene.memory.near[k], at.scene.x) - n.normalized()).norm(), 1e-10);
     EXPECT_LT((point(across, up) + tie.height * n.normalized() - above[k]).norm(), 1e-10);
     EXPECT_GT((facet_normal(glue.base, at.scene.x, tie.facet) - n.normalized()).norm(), 1e-3) << "the face is warped";
   }
@@ -222,6 +223,97 @@ TEST(TieByMultipliers, TwoThatSayTheSameShareTheImpulse) {
   const Vec3 whole = one.all.ties.held[0].impulse;
   EXPECT_GT(whole.norm(), 0);
   for (const HeldTie& b : two.all.ties.held) EXPECT_LT((b.impulse - 0.5 * whole).norm(), 1e-11 * whole.norm());
+}
+
+/// Apexes over the inside of faces, near an edge where normals go over into each other, and high over the base.
+const std::vector<Vec3> apart{{1.3, 1.6, 0.4}, {2.005, 1.5, 0.5}, {2.4, 2.55, 0.9}, {0.4, 0.3, 0.06}};
+
+class SlidingTieOver : public BondByMultipliersOver {};
+INSTANTIATE_TEST_SUITE_P(AllBases, SlidingTieOver, testing::Values(Base::facets, Base::faces),
+                         [](const auto& base) { return base.param == Base::facets ? "Facets" : "Faces"; });
+
+TEST_P(SlidingTieOver, ItsRateAlongTheNormalIsTheDerivativeOfTheHeightAndItsImpulsesHaveNoMoment) {
+  Tied at(apart, GetParam(), true);
+  at.find();
+  const std::vector<HeldTie> here = at.all.ties.held;
+  const Vectors x = at.scene.x;
+  constexpr double small = 1e-6;
+  at.scene.x = x + small * at.v;
+  const auto ahead = at.off();
+  const std::vector<HeldTie> there = at.all.ties.held;
+  at.scene.x = x - small * at.v;
+  const auto behind = at.off();
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    EXPECT_LT(std::abs(here[k].off.dot(here[k].normal)), 1e-14) << "it begins at its height";
+    const double grown = ahead[k].dot(there[k].normal) - behind[k].dot(at.all.ties.held[k].normal);
+    EXPECT_NEAR(here[k].normal.dot(rate(here[k], at.v)), grown / (2 * small), 1e-8) << k;
+    const Vec3 impulse = 0.7 * here[k].normal;
+    Vec3 resultant = Vec3::Zero(), moment = Vec3::Zero();
+    for (int j = 0; j < here[k].nodes; ++j) {
+      const Vec3 one = part(here[k], j, impulse);
+      resultant += one, moment += Vec3(x.col(here[k].node[j])).cross(one);
+    }
+    EXPECT_LT(resultant.norm(), 1e-14);
+    EXPECT_LT(moment.norm(), 1e-13);
+    EXPECT_LT(here[k].impulse.cross(here[k].normal).norm(), 1e-14 * (1 + here[k].impulse.norm()));
+  }
+}
+
+TEST(SlidingTie, FindsTheImpulsesOfADenseSolution) {
+  Tied at({{1.3, 1.6, 0.18}, {1.4, 1.5, 0.2}, {1.35, 1.7, 0.2}, {2.2, 2.9, 0.5}, {1.1, 1.2, 0.17}}, Base::faces, true);
+  const Mat3 flat = Vec3(1, 1, 0).asDiagonal();
+  at.find();
+  at.allowed[at.all.ties.held[3].node[1]] = &flat;
+  at.find();
+  const auto count = static_cast<Index>(at.all.ties.held.size()), nodes = static_cast<Index>(at.v.cols());
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(count, 3 * nodes), inverse_mass = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
+  Eigen::VectorXd missing(count);
+  const Motion m = at.motion();
+  look_ahead(at.scene.interface.apexes, m, at.all), look_ahead(at.scene.interface.base_nodes, m, at.all);
+  for (Index n = 0; n < nodes; ++n)
+    inverse_mass.block<3, 3>(3 * n, 3 * n) = (at.allowed[n] ? flat : Mat3(Mat3::Identity())) / at.mass(n);
+  for (Index k = 0; k < count; ++k) {
+    const HeldTie& b = at.all.ties.held[k];
+    for (int j = 0; j < b.nodes; ++j) G.block<1, 3>(k, 3 * b.node[j]) += b.weight[j] * b.normal.transpose();
+    missing(k) = b.normal.dot(-0.2 * b.off / at.dt - rate(b, at.all.velocity));
+  }
+  const Eigen::VectorXd exact = (G * inverse_mass * G.transpose()).ldlt().solve(missing);
+  for (Index k = 0; k < count; ++k)
+    EXPECT_NEAR(at.all.ties.held[k].impulse.dot(at.all.ties.held[k].normal), exact(k), 1e-11 * exact.norm()) << k;
+}
+
+TEST(SlidingTie, WalksOverItsBasePullsAndIsLetGoAtTheBorder) {
+  Tied at({{0.5, 1.6, 0.3}}, Base::faces, true);
+  at.force.setZero();
+  for (Index n = 0; n < at.v.cols(); ++n) at.v.col(n).setZero(), at.mass(n) = 1e9;  // the base stays
+  const Index apex = at.scene.interface.apexes[0];
+  at.mass(apex) = 1;
+  at.force(2, apex) = 200;  // it is pulled off
+  at.v(0, apex) = 50;
+  at.step();
+  const auto height = [&] {
+    const HeldTie& b = at.all.ties.held[0];
+    Tie foot;
+    return b.nodes == 1 ? 0.0 : tie_over(at.scene.interface, at.scene.x, 0, b.facet).height;
+  };
+  const double begun = at.scene.interface.ties[0].height;
+  int steps = 0;
+  for (; steps < 100 && at.scene.memory.status[0] == Status::closed; ++steps) {
+    EXPECT_NEAR(height(), begun, 2e-3) << steps;
+    at.step();
+  }
+  EXPECT_GT(at.scene.memory.walks, 2);
+  EXPECT_EQ(at.scene.memory.lost, 1);
+  EXPECT_GT(at.scene.x(0, apex), 4) << "past the border";
+  EXPECT_LT(at.scene.x(0, apex), 4.2);
+  EXPECT_LT(at.scene.memory.impulse.dot(Vec3::UnitZ()), 0) << "it was held back";
+  const double kinetic = 0.5 * at.v.col(apex).squaredNorm();
+  EXPECT_GT(at.scene.memory.impact, 0) << "edges of the base stop what comes over them";
+  EXPECT_LT(at.scene.memory.impact, 0.05 * kinetic);
+  const Vec3 impulse = at.scene.memory.impulse;
+  at.step(), at.step();
+  EXPECT_EQ(at.scene.memory.status[0], Status::unpaired);
+  EXPECT_EQ(at.scene.memory.impulse, impulse);
 }
 
 }  // namespace
