@@ -89,6 +89,35 @@ Vec3 mean_spin(const View& view, const Subset& nodes) {
   return inertia.ldlt().solve(turning);
 }
 
+namespace {
+
+/// Calls visit(area across gravity [m2], gravity . x of the three nodes [m2/s2]) for each facet.
+template <class Visit>
+void visit_heights(const Table<3>& facets, const Vec3& gravity, const Vectors& x, Visit&& visit) {
+  const Vec3 down = gravity.normalized();
+  for (const auto& nodes : facets.colwise()) {
+    const Vec3 a = x.col(nodes[0]), b = x.col(nodes[1]), c = x.col(nodes[2]);
+    visit(0.5 * std::abs((b - a).cross(c - a).dot(down)), Vec3(gravity.dot(a), gravity.dot(b), gravity.dot(c)));
+  }
+}
+
+}  // namespace
+
+FreeSurface free_surface(const Model& model, const mesh::Surface& surface, double density, const Vectors& start) {
+  double area = 0, sum = 0;
+  visit_heights(surface.facets, model.gravity, start, [&](double part, const Vec3& at) { area += part, sum += part * at.mean(); });
+  return {surface.facets, density, model.gravity, area > 0 ? sum / area : 0};
+}
+
+double wave_energy(const View& view, const FreeSurface& surface) {
+  double sum = 0;  // over a facet the square of a linear function has the mean ((a + b + c)^2 + a^2 + b^2 + c^2)/12
+  visit_heights(surface.facets, surface.gravity, view.now.x, [&](double part, const Vec3& at) {
+    const Vec3 above = at.array() - surface.level;
+    sum += part / 12 * (above.sum() * above.sum() + above.squaredNorm());
+  });
+  return 0.5 * surface.density / surface.gravity.norm() * sum;
+}
+
 double kinetic_energy(const View& view, const Subset& nodes) {
   double sum = 0;
   const auto whole =

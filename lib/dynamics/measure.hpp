@@ -23,6 +23,18 @@ Vec3 momentum(const View&, const Subset& nodes);          ///< [kg m/s]
 Vec3 angular_momentum(const View&, const Subset& nodes);  ///< [kg m2/s] about the origin
 double kinetic_energy(const View&, const Subset& nodes);  ///< [J] with that of turning
 
+/// A surface of a fluid on which waves go.
+struct FreeSurface {
+  Table<3> facets;
+  double density;  ///< [kg/m3] of the fluid
+  Vec3 gravity;    ///< [m/s2] not zero
+  double level;    ///< [m2/s2] mean of gravity . x over it when the run began, by areas across gravity
+};
+FreeSurface free_surface(const Model&, const mesh::Surface&, double density, const Vectors& start);
+
+/// The potential energy of its waves:  1/2 rho g int eta^2 dA,  eta the height above the mean level of the start, A across gravity. [J]
+double wave_energy(const View&, const FreeSurface&);
+
 /// Length of a node set along a coordinate axis (0: x, 1: y, 2: z), from its lowest to its highest node. [m]
 double extent(const View&, const Subset& nodes, int axis);
 /// Largest distance of a node set from a coordinate axis. [m]

@@ -34,6 +34,7 @@ struct Block {
   Connectivity nodes;             ///< [nodes per element x elements]
   Tiling tiling;
   std::vector<double> constants;  ///< [packs x rows x lanes]
+  std::vector<FluidStart> start;  ///< [packs x lanes] of fluid; else empty
   Layers layers;                  ///< through the thickness; none in a solid
   std::vector<Index> beside;      ///< places_beside(); empty without viscosity
   std::vector<Index> rotation_column;  ///< [slots] column of each slot's angular velocity; plates only

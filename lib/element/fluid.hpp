@@ -45,19 +45,17 @@ struct Fluid {
   /// Constants of one element.
   template <class T>
   struct Constants {
-    T mass, per_mass;     ///< [kg] and its inverse
-    T per_reference;      ///< [1/m3] of the volume at which the law has no pressure
-    T pressure;           ///< [Pa] at the start
-    T per_length;         ///< [1/m] of the cube of its volume at the start
-    T start;              ///< [m3] Jacobian of a corner below which distortion control acts
-    T weight;             ///< [J] of add_weight() at the start
+    T mass, per_mass;           ///< [kg] and its inverse
+    T reference, per_reference; ///< [m3] volume at which the law has no pressure, and its inverse
+    T per_length;               ///< [1/m] of the cube of its volume at the start
+    T start;                    ///< [m3] Jacobian of a corner below which distortion control acts
     std::array<T, 8> per_node;  ///< [1/kg] of what each node has of the mass
     template <class F>
     void each_row(F&& f) {
-      f(mass), f(per_mass), f(per_reference), f(pressure), f(per_length), f(start), f(weight);
+      f(mass), f(per_mass), f(reference), f(per_reference), f(per_length), f(start);
       for (T& row : per_node) f(row);
     }
-    static constexpr int rows = 15;
+    static constexpr int rows = 14;
   };
 
   /// What one element remembers from step to step.
@@ -111,7 +109,7 @@ struct FluidMotion {
   Vector<T> xi, eta, zeta;                    ///< [m] from the centre to a face of each axis, at the end of the step
   Vector<T> moved_xi, moved_eta, moved_zeta;  ///< [m] how much they changed in it
   T change;                                   ///< [Pa] of the pressure
-  T growth, dt;                               ///< [-] of the volume, [s]
+  T growth, per_dt;                           ///< [-] of the volume, [1/s]
 };
 
 /// The viscous stress of viscous_stress() where all stress is pressure; its mean, positive in tension.
@@ -122,17 +120,14 @@ struct ViscousPressure {
   std::array<T, 3> along;  ///< [-] strain of the step along each axis
 };
 
-/// Strain of a step along an axis, and the length on which viscosity acts there.
+/// The length on which viscosity acts along an axis.  square  [m2] of half of it [m]
 template <class T>
-struct AlongAxis {
-  T strain;  ///< [-]
-  T size;    ///< [-] without its sign
-  T length;  ///< [m]
-};
+NEREID_HOT T length_of_axis(T square, T most) {
+  return root(smaller(T(4.0) * square, most * most));
+}
 template <class T>
-NEREID_HOT AlongAxis<T> along_axis(const Vector<T>& half, const Vector<T>& moved, T most) {
-  const T square = dot(half, half), strain = dot(half - T(0.5) * moved, moved) / square;
-  return {strain, larger(strain, -strain), root(smaller(T(4.0) * square, most * most))};
+NEREID_HOT T size_of(T number) {
+  return larger(number, -number);
 }
 
 /// Longest length on which viscosity acts, over 2 c/omega: that of a cube, whose frequency is sqrt(3) 2 c/h. [-]
@@ -142,15 +137,18 @@ constexpr double most_crossings_of_fluid = 1.7320508075688772;
 template <class T>
 NEREID_HOT ViscousPressure<T> viscous_pressure(const Viscosity& viscosity, const FluidMotion<T>& m, T speed, T omega_squared,
                                                const Shares<T, 3>& share) {
-  const T zero(0.0), crossing = T(2.0 * most_crossings_of_fluid) / root(omega_squared), most = speed * crossing;
-  const T part = viscous_part(viscosity, crossing, m.growth / m.dt) / speed;
-  const AlongAxis<T> xi = along_axis(m.xi, m.moved_xi, most), eta = along_axis(m.eta, m.moved_eta, most),
-                     zeta = along_axis(m.zeta, m.moved_zeta, most);
-  const T sum = larger(xi.size + eta.size + zeta.size, larger(m.growth, -m.growth));
-  const T limited = xi.size * share[0] * xi.length + eta.size * share[1] * eta.length + zeta.size * share[2] * zeta.length;
+  const T zero(0.0), half(0.5), crossing = T(2.0 * most_crossings_of_fluid) / root(omega_squared), most = speed * crossing;
+  const T part = viscous_part(viscosity, crossing, m.growth * m.per_dt) / speed;
+  const T xi2 = dot(m.xi, m.xi), eta2 = dot(m.eta, m.eta), zeta2 = dot(m.zeta, m.zeta);
+  const T per_all = T(1.0) / (xi2 * eta2 * zeta2);  // a division costs as much as the rest of an axis
+  const T xi = dot(m.xi - half * m.moved_xi, m.moved_xi) * (eta2 * zeta2 * per_all);
+  const T eta = dot(m.eta - half * m.moved_eta, m.moved_eta) * (zeta2 * xi2 * per_all);
+  const T zeta = dot(m.zeta - half * m.moved_zeta, m.moved_zeta) * (xi2 * eta2 * per_all);
+  const T on_xi = length_of_axis(xi2, most), on_eta = length_of_axis(eta2, most), on_zeta = length_of_axis(zeta2, most);
+  const T sum = larger(size_of(xi) + size_of(eta) + size_of(zeta), size_of(m.growth));
+  const T limited = size_of(xi) * share[0] * on_xi + size_of(eta) * share[1] * on_eta + size_of(zeta) * share[2] * on_zeta;
   const T length = select(m.change * m.growth < zero, limited / (sum + T(1e-300)), zero);
-  const T longest = larger(larger(xi.length, eta.length), zeta.length);
-  return {-(part * length / m.dt) * m.change, T(0.5) * part * longest * omega_squared, {xi.strain, eta.strain, zeta.strain}};
+  return {-(part * length * m.per_dt) * m.change, half * part * larger(larger(on_xi, on_eta), on_zeta) * omega_squared, {xi, eta, zeta}};
 }
 
 /// What the dashpots against hourglass motion did in a step.
@@ -169,11 +167,11 @@ struct HourglassDrag {
 ///
 /// q  [m] hourglass increments of the step without what the linear field makes of them;  force  [N] over eight, before and then now
 template <class T>
-NEREID_HOT HourglassDrag<T> drag_hourglass(T kappa, T mass, T per_length, const std::array<Vector<T>, 4>& q, T dt,
+NEREID_HOT HourglassDrag<T> drag_hourglass(T kappa, T mass, T per_length, const std::array<Vector<T>, 4>& q, T per_dt,
                                            std::array<Vector<T>, 4>& force) {
   T square(0.0);
   for (int a = 0; a < 4; ++a) square = square + dot(q[a], q[a]);
-  const T rate = kappa * per_length * root(square) / dt, part = T(0.125) * mass * rate / dt;
+  const T rate = kappa * per_length * root(square) * per_dt, part = T(0.125) * mass * rate * per_dt;
   T work(0.0);
   for (int a = 0; a < 4; ++a) {
     const Vector<T> now = part * q[a];
@@ -195,10 +193,10 @@ template <class T, class Law>
 NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& options, const Fluid::Constants<T>& constants,
                                     const Shares<T, 3>& share, const std::array<Vector<T>, 8>& x, const std::array<Vector<T>, 8>& dx, T dt,
                                     Fluid::Memory<T, Law>& memory, std::array<Vector<T>, 8>& force) {
-  const T eighth(0.125), zero(0.0), half(0.5), one(1.0);
+  const T eighth(0.125), zero(0.0), half(0.5), per_dt = T(1.0) / dt;
   const Modes<T> X = scaled(eighth, sums_by_mode(x)), D = scaled(eighth, sums_by_mode(dx));
   const Gradient<T> at_end = volume_gradient(X);
-  const T ratio = at_end.volume * constants.per_reference, reference = one / constants.per_reference;
+  const T ratio = at_end.volume * constants.per_reference;
   const T before = memory.state.ratio, pressure = memory.state.pressure;
   const material::FluidResponse<T> response = update_pressure(law, ratio, memory.state);
   const std::array<Vector<T>, 8> gradient = nodal_gradient(at_end);
@@ -208,25 +206,24 @@ NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& option
   T viscous_work(zero);
   if (acts(options.viscosity)) {
     const T growth = (ratio - before) / (half * (ratio + before));
-    const FluidMotion<T> motion{X.xi, X.eta, X.zeta, D.xi, D.eta, D.zeta, memory.state.pressure - pressure, growth, dt};
-    const T speed = material::sound_speed(response.modulus, one / (constants.per_mass * at_end.volume));
+    const FluidMotion<T> motion{X.xi, X.eta, X.zeta, D.xi, D.eta, D.zeta, memory.state.pressure - pressure, growth, per_dt};
+    const T speed = root(response.modulus * constants.per_mass * at_end.volume);
     viscous = viscous_pressure(options.viscosity, motion, speed, omega_squared, share);
     viscous_work = half * (memory.viscous + viscous.stress) * (ratio - before);  // per volume of the reference
     memory.viscous = viscous.stress;
   }
 
-  const T push = memory.state.pressure - viscous.stress;
-  for (int a = 0; a < 8; ++a) force[a] = push * gradient[a];
+  const T pull = viscous.stress - memory.state.pressure;
   HourglassDrag<T> drag{zero, zero};
   if (options.hourglass > 0) {
     // by the gradient at the end, which a rigid rotation satisfies as well as that of the middle
     const Matrix<T> L = mean_gradient(D, at_end);
     std::array<Vector<T>, 4> q;
     for (int a = 0; a < 4; ++a) q[a] = D.hourglass[a] - L * X.hourglass[a];
-    drag = drag_hourglass(T(options.hourglass), constants.mass, constants.per_length, q, dt, memory.hourglass);
-    const Vector<T> none{zero, zero, zero};
-    const std::array<Vector<T>, 8> more = forces_of_stress(Matrix<T>{none, none, none}, memory.hourglass, X, at_end);
-    for (int a = 0; a < 8; ++a) force[a] = force[a] + more[a];
+    drag = drag_hourglass(T(options.hourglass), constants.mass, constants.per_length, q, per_dt, memory.hourglass);
+    force = forces_of_stress(Matrix<T>{{pull, zero, zero}, {zero, pull, zero}, {zero, zero, pull}}, memory.hourglass, X, at_end);
+  } else {
+    for (int a = 0; a < 8; ++a) force[a] = -pull * gradient[a];
   }
   memory.state.energy = memory.state.energy + viscous_work + drag.work * constants.per_reference;
 
@@ -239,6 +236,7 @@ NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& option
   }
   const Controlled<T> controlled = control_distortion(options.distortion, bulk_modulus_at_start(law), law.density, constants.start,
                                                       constants.per_mass, x, memory.distortion, force);
+  const T reference = constants.reference;
   return {.stored = {response.compression * reference, response.cavitation * reference, lifted, controlled.stored},
           .dissipated = {viscous_work * reference, drag.work, response.lost * reference},
           .step = stable_step(omega_squared + controlled.omega_squared, viscous.damping + drag.damping),
@@ -247,32 +245,51 @@ NEREID_HOT Report<T, Fluid> advance(const Law& law, const Fluid::Options& option
           .arm = {arm.x, arm.y, arm.z}};
 }
 
-/// Constants of a hexahedron of fluid in its reference positions, in which it is at the start: its density is that of the law there, and
-/// its pressure grows with its depth.
+/// The pressure at the centroid of a hexahedron at the start: it grows with the depth. [Pa]
+template <class Law>
+double pressure_at_start(const Law& law, const Fluid::Options& options, const std::array<Vector<double>, 8>& X) {
+  const Modes<double> modes = scaled(0.125, sums_by_mode(X));
+  const Vector<double> g = gravity_of<double>(options);
+  Vector<double> mean{0, 0, 0};
+  for (const Vector<double>& corner : X) mean = mean + 0.125 * corner;
+  const double depth = dot(g, mean) + first_moment(modes, g).value / volume_gradient(modes).volume - options.level;
+  return options.pressure + law.density * depth;
+}
+
+/// Constants of a hexahedron of fluid in its reference positions, in which it is at the start: its density is that of the law there.
 template <class Law>
 Fluid::Constants<double> constants(const Law& law, const Fluid::Options& options, const std::array<Vector<double>, 8>& X) {
   const Modes<double> modes = scaled(0.125, sums_by_mode(X));
   const double volume = volume_gradient(modes).volume, mass = law.density * volume;
-  const Vector<double> g = gravity_of<double>(options);
-  Vector<double> mean{0, 0, 0};
-  for (const Vector<double>& corner : X) mean = mean + 0.125 * corner;
-  const double depth = dot(g, mean) + first_moment(modes, g).value / volume - options.level;
-  const double pressure = options.pressure + law.density * depth;
-  Fluid::Constants<double> made{.mass = mass, .per_mass = 1 / mass, .per_reference = start_at(law, pressure).ratio / volume,
-                                .pressure = pressure, .per_length = 1 / std::cbrt(volume),
-                                .start = material::may_be_compressed<Law> ? -1e300 : start_of_control(X), .weight = 0, .per_node = {}};
+  const double reference = volume / start_at(law, pressure_at_start(law, options, X)).ratio;
+  Fluid::Constants<double> made{.mass = mass, .per_mass = 1 / mass, .reference = reference, .per_reference = 1 / reference,
+                                .per_length = 1 / std::cbrt(volume),
+                                .start = material::may_be_compressed<Law> ? -1e300 : start_of_control(X), .per_node = {}};
   const std::array<double, 8> share = volume_shares(modes);
   for (std::size_t a = 0; a < 8; ++a) made.per_node[a] = 1 / (law.density * share[a]);
-  std::array<Vector<double>, 8> force{};
-  made.weight = add_weight(X, modes, volume_gradient(modes), mass, made.per_node, gravity_of<double>(options), force).energy;
   return made;
+}
+
+/// How an element of fluid is at the start.
+struct FluidStart {
+  double pressure;  ///< [Pa]
+  double weight;    ///< [J] of add_weight()
+};
+template <class Law>
+FluidStart start_of(const Law& law, const Fluid::Options& options, const std::array<Vector<double>, 8>& X) {
+  const Fluid::Constants<double> made = constants(law, options, X);
+  const Modes<double> modes = scaled(0.125, sums_by_mode(X));
+  std::array<Vector<double>, 8> force{};
+  const Weight<double> weight =
+      add_weight(X, modes, volume_gradient(modes), made.mass, made.per_node, gravity_of<double>(options), force);
+  return {pressure_at_start(law, options, X), weight.energy};
 }
 
 /// What an element remembers at the start.
 template <class Law>
-Fluid::Memory<double, Law> at_start(const Law& law, const Fluid::Constants<double>& constants) {
+Fluid::Memory<double, Law> at_start(const Law& law, const FluidStart& start) {
   Fluid::Memory<double, Law> memory{};
-  memory.state = start_at(law, constants.pressure), memory.weight = constants.weight;
+  memory.state = start_at(law, start.pressure), memory.weight = start.weight;
   return memory;
 }
 

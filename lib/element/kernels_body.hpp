@@ -301,7 +301,8 @@ template <class Kind, class Law>
 Block<Kind, Law> Kernels<Kind, Law>::make(const mesh::Mesh& mesh, const std::string& name, const Connectivity& nodes,
                                           const Law& law, const typename Kind::Options& options) {
   Block<Kind, Law> block{.name = name, .law = law, .options = options, .nodes = nodes,
-                         .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .layers = {}, .beside = {}, .rotation_column = {}};
+                         .tiling = cut_into_tiles(nodes, mesh.X), .constants = {}, .start = {}, .layers = {}, .beside = {},
+                         .rotation_column = {}};
   if (acts(options.viscosity)) block.beside = places_beside(block.tiling, nodes);
   if constexpr (Kind::layered) block.layers = gauss_layers(options.layers);
   const std::size_t packs = block.tiling.filled.size();
@@ -318,6 +319,7 @@ Block<Kind, Law> Kernels<Kind, Law>::make(const mesh::Mesh& mesh, const std::str
       auto values = constants(law, options, X);
       double* to = block.constants.data() + pack * rows * lanes + lane;
       values.each_row([&](double& row) { *to = row, to += lanes; });
+      if constexpr (std::is_same_v<Kind, Fluid>) block.start.push_back(start_of(law, options, X));
     }
   }
   return block;
@@ -332,9 +334,9 @@ Memory Kernels<Kind, Law>::initial_memory(const Block<Kind, Law>& block) {
   if constexpr (std::is_same_v<Kind, Fluid>) {
     // fillers keep zeros where the energy is summed, and have a volume, so that nothing divides by zero
     each_lane(block, [&](std::size_t pack, int lane, const auto& constants) {
-      auto here = at_start(block.law, constants);
+      auto here = at_start(block.law, block.start[pack * lanes + static_cast<std::size_t>(lane)]);
       each_row(block, here, memory.rows.data() + pack * memory_rows(block) * lanes + lane, [](double row, double* to) { *to = row; });
-      if (lane < block.tiling.filled[pack]) memory.stored[Stored::compression] += here.state.energy / constants.per_reference;
+      if (lane < block.tiling.filled[pack]) memory.stored[Stored::compression] += here.state.energy * constants.reference;
     });
   } else {
     typename Kind::template Memory<double, Law> at_rest{};

@@ -47,6 +47,8 @@ element::AnyLaw read_fluid_law(const Section& section, const std::string& kind) 
     return material::IdealGas{.density = density, .gamma = section.number("gamma", model::range::adiabatic), .pressure = 0};
   const bool by_shocks = kind == "mie_gruneisen";
   const bool by_speed = by_shocks || section.has("sound_speed");
+  if (!by_shocks && by_speed && section.has("bulk_modulus"))
+    section.fault("bulk_modulus", "'bulk_modulus' and 'sound_speed' say the same of a linear fluid: give one of them");
   const double speed = section.when(by_speed).quantity("sound_speed", dim::speed, positive);
   const double modulus = section.when(!by_speed).quantity("bulk_modulus", dim::stress, positive);
   const double slope = section.when(by_shocks).number("slope", model::range::shock_slope);

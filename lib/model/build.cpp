@@ -62,6 +62,10 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
         break;
       case Of::source: expect(faults, here, "of", probe.of, "contacts, planes, loads, springs and sections", sources); break;
       case Of::section: expect(faults, here, "of", probe.of, "sections", names_of(scene.sections)); break;
+      case Of::surface:
+        expect(faults, here, "of", probe.of, "surfaces", names_of(mesh.surfaces));
+        if (scene.gravity.isZero(0)) refuse(faults, here, "quantity", "'quantity' = " + probe.quantity + ": the scene has no gravity");
+        break;
     }
   }
   for (const Stop& stop : scene.stops)

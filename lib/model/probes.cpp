@@ -183,6 +183,21 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
   return component(along, normal, [source](const View& view, Kept& kept) { return dynamics::mean_force(view, source, kept); });
 }
 
+/// Of a surface of a fluid.
+Measure of_surface(const Probe& probe, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
+  const std::vector<std::size_t> blocks = blocks_of(model, probe.of.substr(0, probe.of.find('.')));
+  double density = 0;
+  for (const std::size_t b : blocks)
+    std::visit([&](const auto& block) { density = material::FluidLaw<std::decay_t<decltype(block.law)>> ? block.law.density : density; },
+               model.blocks[b]);
+  if (!(density > 0)) {
+    refuse(faults, part("probe", probe), "of", "'of' = " + probe.of + " is no surface of a fluid and has no " + probe.quantity);
+    return {};
+  }
+  const auto surface = dynamics::free_surface(model, mesh::surface(model.mesh, probe.of), density, at_start.x);
+  return [surface](const View& view, Kept&) { return dynamics::wave_energy(view, surface); };
+}
+
 /// Place of the probe's component; faults for one that there is not.
 int component_of(const Probe& probe, const Measurable& quantity, Faults& faults) {
   const auto& names = quantity.components;
@@ -200,6 +215,7 @@ Measure measure(const Probe& probe, const Measurable& quantity, const dynamics::
   const std::string along = quantity.components.empty() ? "x" : quantity.components[static_cast<std::size_t>(row)];
   if (quantity.of == Of::body) return of_body(probe, row, model, at_start, faults);
   if (quantity.of == Of::source) return of_source(probe, along, model, faults);
+  if (quantity.of == Of::surface) return of_surface(probe, model, at_start, faults);
   if (quantity.of == Of::section)
     for (std::size_t s = 0; s < model.sections.size(); ++s)
       if (model.sections[s].name == probe.of)
@@ -256,6 +272,7 @@ const std::vector<Measurable>& measurables() {
         {"gap", "m", Of::contact, {}, false, gap},
         {"contact_pressure", "Pa", Of::any_contact, {}, false, contact_pressure},
         {"contact_area", "m^2", Of::contact, {}, false, contact_area},
+        {"wave_energy", "J", Of::surface},
         {"stress", "Pa", Of::body, of_tensors, true},
         {"strain", "1", Of::body, of_tensors, true},
         {"pressure", "Pa", Of::body},

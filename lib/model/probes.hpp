@@ -8,7 +8,7 @@
 namespace nereid::model {
 
 /// Of what something is measured: `any_contact` of automatic ones too, which have both sides in one.
-enum class Of { nodes, body, contact, any_contact, source, section };
+enum class Of { nodes, body, contact, any_contact, source, section, surface };
 
 /// How it is measured: a vector or a number of a node set, a number of a node set along or about an axis, a number of the
 /// passes of a contact. Numbers of bodies are fields of their elements with the same name, and forces have a way of their own.

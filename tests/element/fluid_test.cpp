@@ -26,7 +26,7 @@ struct One {
   Fluid::Options options;
   Corners X;
   Fluid::Constants<double> constants = element::constants(law, options, X);
-  Fluid::Memory<double, Law> memory = at_start(law, constants);
+  Fluid::Memory<double, Law> memory = at_start(law, start_of(law, options, X));
   Corners x = X, force{};
 
   auto step(const Corners& to, const Corners& du, double dt) {

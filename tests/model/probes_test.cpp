@@ -40,13 +40,33 @@ TEST(MakeProbe, MeasuresEveryQuantityOfAScene) {
     scene.probes.push_back({.name = "p_" + one.name, .quantity = one.name,
                             .of = one.of == Of::contact || one.of == Of::any_contact || one.of == Of::source ? "touch"
                                   : one.of == Of::section                                                    ? "cut"
+                                  : one.of == Of::surface                                                    ? "water.y_high"
                                   : is_of_fluid(one.name)                                                    ? "water"
                                                                                                              : "bar",
                             .component = one.required ? one.components.back() : ""});
+  scene.gravity = Vec3(0, -10, 0);
   scene.time.end = 1e-5;
   Simulation simulation = build(scene);
   run(simulation);
   for (const Measurable& one : measurables()) EXPECT_FALSE(std::isnan(probe(simulation, "p_" + one.name).last)) << one.name;
+}
+
+TEST(MakeProbe, HasTheEnergyOfAWaveAboveTheMeanLevelOfTheStart) {
+  Scene scene = with({bar()});
+  Body& water = scene.bodies[0];
+  water.name = "water", water.law = material::LinearFluid{1000, 2e9}, water.solid = element::Fluid::Options{};
+  scene.gravity = Vec3(0, 0, -10);
+  scene.probes = {{.name = "wave", .quantity = "wave_energy", .of = "water.z_high"}};
+  Simulation simulation = build(scene);
+  const Vectors start = simulation.state.x;
+  const mesh::Surface& top = mesh::surface(simulation.model.mesh, "water.z_high");
+  double length = 0, width = 0;
+  for (const Index n : mesh::surface_nodes(top)) length = std::max(length, start(0, n)), width = std::max(width, start(1, n));
+  // it leans by 0.1 about its middle line, and sinks by 0.02:  int eta^2 dA = area (0.1^2 length^2/12 + 0.02^2)
+  for (Index n = 0; n < start.cols(); ++n) simulation.state.x(2, n) += 0.1 * (start(0, n) - 0.5 * length) - 0.02;
+  const double expected = 0.5 * 1000 * 10 * length * width * (0.01 * length * length / 12 + 0.0004);
+  dynamics::Kept kept;
+  EXPECT_NEAR(simulation.probes[0].value(view(simulation), kept), expected, 1e-9 * expected);
 }
 
 TEST(MakeProbe, TakesTheMeanForceOfAPlaneAlongItsNormal) {

@@ -2,7 +2,7 @@
 from math import pi
 
 from reference import most_rise, plane_pressure, time_of_impact
-from verify import Breaks, Check, Figure, Pair, Report
+from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CLAIM = ("A slug of sodium that strikes a rigid head presses on it with $\\rho(c + s v)v$ and gives it the momentum that it loses; a plate "
          "rises by less than a rigid-plastic cone.")
@@ -11,6 +11,7 @@ CATALOGUE = ("F-10",)
 DRIVER = "slug_impact"
 CASE = "cases/slug_impact/rigid.yaml"
 PLATE = "cases/slug_impact/plate.yaml"
+BUBBLE = "cases/slug_impact/bubble.yaml"
 PLUGS = "cases/plug_juncture/sodium.yaml"
 
 SODIUM = {"density": 856, "sound_speed": 2366, "slope": 1.24, "speed": 20}  # as the cases have it
@@ -77,6 +78,22 @@ CHECKS = [
     Report("rise of a plate over that of a rigid-plastic cone that takes all the energy", rise,
            "the wall of the vessel takes nearly half of it; the plate bends and hardens"),
     Report("rise of a plate over that on a mesh twice as fine", rise_on_a_finer_mesh, "level 2 against level 4", full=True),
+]
+
+def corners(run):
+    """Slugs under a bubble with the barrier of corners, and without."""
+    rows = []
+    for level in (2, 3, 4):
+        for label, change in (("by default", {}), ("none", {"slug.element.distortion": 0})):
+            one = run.other(DRIVER, BUBBLE, {"mesh.level": level, **change})
+            rows.append([f"level {level}", label, one.ending, f"{1e3 * one.column('time')[-1]:.1f}",
+                         f"{1e3 * one.result('largest_rise_head'):.3f}", f"{one.result('slug_distortion_fraction'):.4f}"])
+    return rows
+
+
+STUDIES = [
+    Table("A slug under a bubble: how it ends with the barrier of corners, and without.",
+          ["mesh", "`element.distortion`", "ends as", "at [ms]", "rise of the head [mm]", "energy of the barrier over internal"], corners, full=True),
 ]
 
 BREAKS = [
