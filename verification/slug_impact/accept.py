@@ -93,7 +93,8 @@ def corners(run):
 
 STUDIES = [
     Table("A slug under a bubble: how it ends with the barrier of corners, and without.",
-          ["mesh", "`element.distortion`", "ends as", "at [ms]", "rise of the head [mm]", "energy of the barrier over internal"], corners, full=True),
+          ["mesh", "`element.distortion`", "ends as", "at [ms]", "rise of the head [mm]", "energy of the barrier over internal"], corners,
+          full=True),
 ]
 
 BREAKS = [
