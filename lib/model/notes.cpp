@@ -180,6 +180,23 @@ std::vector<std::string> width_notes(const Simulation& simulation) {
   return notes;
 }
 
+namespace {
+
+/// Whether each node is one of a fluid.
+std::vector<char> nodes_of_fluids(const dynamics::Model& model) {
+  std::vector<char> is(static_cast<std::size_t>(model.mesh.X.cols()), 0);
+  for (const element::AnyBlock& any : model.blocks)
+    std::visit(
+        [&]<class Kind, class Law>(const element::Block<Kind, Law>& block) {
+          if constexpr (std::is_same_v<Kind, element::Fluid>)
+            for (const Index node : block.nodes.reshaped()) is[static_cast<std::size_t>(node)] = 1;
+        },
+        any);
+  return is;
+}
+
+}  // namespace
+
 std::vector<std::string> coarseness_notes(const Simulation& simulation) {
   constexpr double worth_saying = 1.25 - 1e-6;  // [-] up to 1.2 exchanged sides err as much: docs/contact_methods.md
   std::vector<std::string> notes;
@@ -189,11 +206,15 @@ std::vector<std::string> coarseness_notes(const Simulation& simulation) {
     const Index row = constraints.row_of_node[node];
     return row >= 0 && constraints.nodes[row].allowed.isZero(0);
   };
+  const std::vector<char> is_of_fluid = nodes_of_fluids(simulation.model);
+  const auto of_fluid = [&](Index node) { return is_of_fluid[static_cast<std::size_t>(node)] != 0; };
   for (std::size_t c = 0; c < simulation.gaps.size(); ++c) {
     const contact::Coarseness& seen = simulation.gaps[c].coarseness;
     if (!(seen.apexes >= worth_saying)) continue;
     const auto& interface = std::get<contact::Interface>(simulation.model.contacts[c]);
     if (std::all_of(interface.base_nodes.begin(), interface.base_nodes.end(), held)) continue;  // a base that cannot give way
+    // fluids were seen to lose nothing by it, and to be locked by two passes: docs/slug_impact.md
+    if (std::any_of(interface.apexes.begin(), interface.apexes.end(), of_fluid)) continue;
     const bool tied = interface.kind == contact::InterfaceKind::tied;  // which has one pass
     const std::string instead = seen.base >= worth_saying ? said(tied ? Remedy::refine_apexes : Remedy::two_passes)
                                 : tied                  ? said(Remedy::exchange_sides)

@@ -127,6 +127,10 @@ TEST(CoarsenessNotes, SayThatApexesAreTooFarApartAndWhatToDo) {
   EXPECT_EQ(notes().size(), 1U);
   scene.bodies[1].rigid = true;
   EXPECT_TRUE(notes().empty()) << "nor does a rigid one";
+  scene.bodies[1].rigid = false;
+  ASSERT_EQ(notes().size(), 1U);
+  scene.bodies[0].law = material::LinearFluid{1000, 2e9}, scene.bodies[0].solid = element::Fluid::Options{};
+  EXPECT_TRUE(notes().empty()) << "a fluid presses evenly";
 }
 
 TEST(RoundingNotes, SayThatASceneLiesFarFromTheOrigin) {
