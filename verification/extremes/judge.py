@@ -865,7 +865,8 @@ def verdict_of(run, expected, again=None, initial=None, twin=None):
         if not gives_reason(run):
             return Verdict(BROKEN, "refused without a reason: " + first_line(run.said), [])
         if not refusal_is_true(run, initial):
-            return Verdict(BROKEN, f"refused without cause: our depth is {initial:.3g} m: " + first_line(run.said), [])
+            ours = "not known" if initial is None else f"{initial:.3g} m"
+            return Verdict(BROKEN, f"refused without cause: our depth is {ours}: " + first_line(run.said), [])
         return Verdict(REFUSED, first_line(run.said), [])
     if run.status == ENDED_EARLY:
         return verdict_of_stop(run, expected, again)
