@@ -49,6 +49,7 @@ TABLE = [
     ("coarse", "--scenes={one}", COUNT, NO_COUNTS), ("coarse", "--seed={one}", SEED, NO_SEEDS), ("coarse", "nosuch", "unrecognized"),
     ("convert_mesh", "nosuch.msh nosuch.txt", "is no .vtu file"),
     ("benchmark", "--rounds={one}", COUNT, NO_COUNTS), ("benchmark", "nosuch", "invalid choice"),
+    ("head_study", "{one}", "no table is called", ("plug", "all")),
     ("cask_study", "--levels={one}", COUNT, ("0,1,2",)), ("cask_study", "--levels 1,2 --default 2", "three levels"),
     ("cask_study", "--default={one}", COUNT, NO_COUNTS), ("cask_study", "--threads={one}", COUNT, NO_COUNTS),
     ("extremes", "--axis nosuch", CHOICE),
