@@ -202,6 +202,7 @@ def energy_scale(seen, expected):
 
 
 NO_ACCOUNT = re.compile(r"energy_(kinetic|integration|residual|created_.*)$")
+PART = re.compile(r"_(back|edges)_restitution$")
 OUTSIDE = re.compile(r"energy_.*(external_work|potential|relaxation.*)$")
 
 
@@ -211,6 +212,21 @@ def is_account(name):
 
 def is_outside(name):
     return is_account(name) and bool(OUTSIDE.match(name))
+
+
+def stores(history):
+    """{name: values} of what may not be below zero. What multipliers of a contact hold is that of both passes and the edges together: one
+    of them may hold what another one took.
+
+    >>> [round(float(v)) for v in stores({"energy_t_restitution": np.array([-5.0]), "energy_t_edges_restitution": np.array([7.0])}).values()]
+    [2]
+    """
+    found = {}
+    for name, values in history.items():
+        if is_account(name) and not is_outside(name):
+            of_contact = PART.sub("_restitution", name)
+            found[of_contact] = found.get(of_contact, 0.0) + values
+    return found
 
 
 def energy_faults(seen, expected):
@@ -240,8 +256,8 @@ def energy_faults(seen, expected):
     if created and max(created.values()) > max(ENERGY, rise):
         worst = max(created, key=created.get)
         found.append(Fault("energy", created[worst], f"{worst.removeprefix('energy_created_')} creates {created[worst]:.2g}"))
-    for name, values in history.items():
-        least = float(np.min(values)) / scale if is_account(name) and not is_outside(name) else 0.0
+    for name, values in stores(history).items():
+        least = float(np.min(values)) / scale
         if least < (-SWING if name.endswith("_restitution") else -ENERGY):  # which has the work of half a step in it that is still to come
             found.append(Fault("energy", -least, f"a store falls to {least:.2g}"))
     return found
