@@ -218,8 +218,9 @@ def stores(history):
     """{name: values} of what may not be below zero. What multipliers of a contact hold is that of both passes and the edges together: one
     of them may hold what another one took.
 
-    >>> [round(float(v)) for v in stores({"energy_t_restitution": np.array([-5.0]), "energy_t_edges_restitution": np.array([7.0])}).values()]
-    [2]
+    >>> parts = {"energy_t_restitution": np.array([-5.0]), "energy_t_edges_restitution": np.array([7.0])}
+    >>> {name: float(values[0]) for name, values in stores(parts).items()}
+    {'energy_t_restitution': 2.0}
     """
     found = {}
     for name, values in history.items():
