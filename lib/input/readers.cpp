@@ -225,7 +225,8 @@ dynamics::InterfaceOptions read_solid_interface(const Section& section, bool tie
   const bool multiplier = read_method(section);
   options.method = multiplier ? contact::Method::multiplier : contact::Method::penalty;
   options.restitution = section.when(multiplier && !tied).number_or("restitution", options.restitution, model::range::restitution);
-  options.slides = section.when(multiplier && tied).flag_or("slides", options.slides);
+  const bool may_slide = multiplier && tied, slides = section.when(may_slide).flag_or("slides", options.slides);
+  options.slides = may_slide && slides;
   const Section by_penalty = section.when(!multiplier);
   read_penalty(section, multiplier, options);
   options.two_passes = section.choice_or("passes", "one", {"one", "two"}) == "two";

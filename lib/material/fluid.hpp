@@ -50,14 +50,6 @@ Lame lame(const L& law) {
   return {bulk_modulus_at_start(law), 0.0};
 }
 
-/// Speed of sound:  c = sqrt(K / density). [m/s]
-///
-/// modulus, density  as they are now
-template <class T>
-NEREID_HOT T sound_speed(T modulus, T density) {
-  return root(modulus / density);
-}
-
 /// Carries pressure and energy over a step where the pressure is linear in the energy,  p = a + b e:
 ///
 ///     e' = e - 1/2 (p + p') (J' - J),     p' = a' + b' e'

@@ -180,6 +180,8 @@ void check_contact(const Contact& contact, Faults& faults) {
                        {"clearance", o.height.clearance, not_negative, "m"}, {"height", o.height.given, not_negative, "m"}});
   if (o.kind == contact::InterfaceKind::tied && o.method == contact::Method::multiplier && o.two_passes)
     refuse(faults, here, "passes", "a tie by multipliers has one pass, since two would stiffen the bodies; or say 'method: penalty'");
+  if (o.slides && (o.kind != contact::InterfaceKind::tied || o.method != contact::Method::multiplier))
+    refuse(faults, here, "slides", "only a tie by multipliers slides");
 }
 
 void check_contact(const AutomaticContact& contact, Faults& faults) {

@@ -77,6 +77,9 @@ TEST(GapTable, ListsTheFreeApexesOfABond) {
   scene.contacts[0].interface.method = contact::Method::multiplier;
   EXPECT_TRUE(says(refusal(scene), "contact 'glue': a tie by multipliers has one pass")) << refusal(scene);
   scene.contacts[0].interface.two_passes = false;
+  scene.contacts[0].interface.slides = true, scene.contacts[0].interface.method = contact::Method::penalty;
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': only a tie by multipliers slides")) << refusal(scene);
+  scene.contacts[0].interface.slides = false, scene.contacts[0].interface.method = contact::Method::multiplier;
   scene.bodies[1].place.move = Vec3(0, 1.5, 0);
   EXPECT_TRUE(says(refusal(scene), "contact 'glue': none of the 4 apexes of 'bar.x_high' stands over 'wall.x_low'")) << refusal(scene);
 }

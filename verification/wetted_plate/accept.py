@@ -40,14 +40,14 @@ def ends(run):
 
 FRONT = "the front is smeared over some two cells, 7 us of 350"
 CHECKS = [
-    Check("automatic contact: speed of the plate, root mean square over the last", moves, 0.02, FRONT),
-    Check("automatic contact: speed at the far end of the water above, the same", goes_on, 0.03,
+    Check("automatic contact: speed of the plate, root mean square over the last", moves, 0.01, FRONT),
+    Check("automatic contact: speed at the far end of the water above, the same", goes_on, 0.02,
           "the same front, in the last 0.14 ms of the run"),
     Check("automatic contact: last speed", ends, 0.002, "that of the water without a plate"),
     Check("tied, a wave of tension: speed of the plate, root mean square over the last",
-          lambda run: off(tied(run), "speed", DEPTH / SOUND, -1.0), 0.02, FRONT),
+          lambda run: off(tied(run), "speed", DEPTH / SOUND, -1.0), 0.01, FRONT),
     Check("tied, a wave of tension: speed at the far end of the water above, the same",
-          lambda run: off(tied(run), "passed", 2 * DEPTH / SOUND, -1.0), 0.03, "as by contact"),
+          lambda run: off(tied(run), "passed", 2 * DEPTH / SOUND, -1.0), 0.02, "as by contact"),
 ]
 
 

@@ -470,8 +470,8 @@ void take_over(const Interface& interface, const Motion& m, std::span<const Held
   sum_force(m.dt, memory);
   memory.work += m.dt * m.dt / 8 * (power_rate - memory.power_rate);
   memory.power_rate = power_rate;
-  // an edge of the base stops what slides over it; a force that presses does work there, and takes it back within some steps
-  if (interface.slides) memory.impact = std::max(0.0, -memory.work);
+  // an edge of the base stops what slides over it: the most that was taken so far, since what came back later was not lost, but made
+  if (interface.slides) memory.impact = std::max(memory.impact, -memory.work);
 }
 
 void book_start(const Motion& m, std::span<const HeldTie> ties, const Vectors& velocity, Memory& memory, Vectors& impulse) {

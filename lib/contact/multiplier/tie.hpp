@@ -15,7 +15,7 @@
 // counts, and ties may say the same twice. docs/theory/multipliers.md has more.
 //
 // A tie that slides (Interface::slides) holds n . d alone, with the foot of its apex at t in place of the point where it began. The
-// gradient of this height is n on the apex and -w_I n on the base, whatever h is, so its impulse J = J n has no couple.
+// gradient of this height is n on the apex and -w_I n on the base, whatever h is, so an impulse along n has no couple.
 
 #include <span>
 

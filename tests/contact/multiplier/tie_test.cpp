@@ -74,6 +74,19 @@ struct Tied {
   }
 };
 
+/// What an impulse of a tie does to all nodes together.
+struct Wrench {
+  Vec3 resultant, moment;
+};
+Wrench wrench(const HeldTie& tie, const Vectors& x, const Vec3& impulse) {
+  Wrench sum{Vec3::Zero(), Vec3::Zero()};
+  for (int j = 0; j < tie.nodes; ++j) {
+    const Vec3 one = part(tie, j, impulse), place = x.col(tie.node[j]);
+    sum.resultant += one, sum.moment += place.cross(one);
+  }
+  return sum;
+}
+
 const std::vector<Vec3> above{{1.3, 1.6, 0.4}, {1.4, 1.5, 0.5}, {2.2, 2.9, 0.9}};
 
 class BondByMultipliersOver : public testing::TestWithParam<Base> {};
@@ -103,12 +116,8 @@ TEST_P(BondByMultipliersOver, ItsRateIsTheDerivativeOfWhatItHoldsAndItsImpulsesA
     EXPECT_LT((rate(here[k], at.v) - (ahead[k] - behind[k]) / (2 * small)).norm(), 1e-9);  // third derivatives times 1e-10
     const Vec3 impulse(0.3, -0.7, 0.5);
     double power = 0;
-    Vec3 resultant = Vec3::Zero(), moment = Vec3::Zero();
-    for (int j = 0; j < here[k].nodes; ++j) {
-      const Vec3 one = part(here[k], j, impulse), place = x.col(here[k].node[j]);
-      power += one.dot(at.v.col(here[k].node[j]));
-      resultant += one, moment += place.cross(one);
-    }
+    for (int j = 0; j < here[k].nodes; ++j) power += part(here[k], j, impulse).dot(at.v.col(here[k].node[j]));
+    const auto [resultant, moment] = wrench(here[k], x, impulse);
     EXPECT_NEAR(power, impulse.dot(rate(here[k], at.v)), 1e-13);
     EXPECT_LT(resultant.norm(), 1e-14);
     EXPECT_LT((moment - here[k].off.cross(impulse)).norm(), 1e-13) << "none where it holds";
@@ -247,12 +256,7 @@ TEST_P(SlidingTieOver, ItsRateAlongTheNormalIsTheDerivativeOfTheHeightAndItsImpu
     EXPECT_LT(std::abs(here[k].off.dot(here[k].normal)), 1e-14) << "it begins at its height";
     const double grown = ahead[k].dot(there[k].normal) - behind[k].dot(at.all.ties.held[k].normal);
     EXPECT_NEAR(here[k].normal.dot(rate(here[k], at.v)), grown / (2 * small), 1e-8) << k;
-    const Vec3 impulse = 0.7 * here[k].normal;
-    Vec3 resultant = Vec3::Zero(), moment = Vec3::Zero();
-    for (int j = 0; j < here[k].nodes; ++j) {
-      const Vec3 one = part(here[k], j, impulse);
-      resultant += one, moment += Vec3(x.col(here[k].node[j])).cross(one);
-    }
+    const auto [resultant, moment] = wrench(here[k], x, 0.7 * here[k].normal);
     EXPECT_LT(resultant.norm(), 1e-14);
     EXPECT_LT(moment.norm(), 1e-13);
     EXPECT_LT(here[k].impulse.cross(here[k].normal).norm(), 1e-14 * (1 + here[k].impulse.norm()));
