@@ -117,7 +117,7 @@ std::string run_to_target(const Target& target, const Factors& factors, const Ru
     say(line);
     status = done;
     if (levels.size() > looks && error <= wanted) return "";
-    if (levels.size() > looks && !(wanted > 0)) return name + " is zero, so no part of it can be asked for";
+    if (levels.size() > looks && !(wanted > 0)) return name + " is zero: an error relative to it is not defined";
     const double next = next_factor(factors.all, levels, wanted);
     const double seconds = next > 0 ? levels.back().seconds * updates_at(levels, next) / std::max(1.0, levels.back().updates) : 0;
     if (seconds > target.longest)

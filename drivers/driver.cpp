@@ -21,7 +21,7 @@
 #include "base/words.hpp"
 #include "drivers/accuracy.hpp"
 #include "drivers/forecast.hpp"
-#include "drivers/recorder.hpp"
+#include "drivers/keys.hpp"
 #include "drivers/restart.hpp"
 #include "drivers/signals.hpp"
 #include "dynamics/archive.hpp"
@@ -29,10 +29,12 @@
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "input/preset.hpp"
+#include "input/survey.hpp"
 #include "mesh/split.hpp"
 #include "model/notes.hpp"
 #include "model/usual_frames.hpp"
 #include "output/offenders.hpp"
+#include "output/recorder.hpp"
 #include "output/run_folder.hpp"
 
 namespace nereid::driver {
@@ -72,7 +74,7 @@ void add_common_results(const model::Simulation& simulation, const dynamics::Out
     results.push_back({both.name + "_deepest", contact::sides(simulation.state.contacts[c]).deepest, "m"});
     const auto* memory = std::get_if<contact::Memory>(&simulation.state.contacts[c]);
     if (memory == nullptr) continue;  // edges have no base to change
-    results.push_back({both.name + "_walks", static_cast<double>(memory->walks), "1"});
+    results.push_back({both.name + "_reconnections", static_cast<double>(memory->walks), "1"});
     results.push_back({both.name + "_lost", static_cast<double>(memory->lost), "1"});
     results.push_back({both.name + "_recovered", static_cast<double>(memory->recovered), "1"});
   }
@@ -144,7 +146,8 @@ std::vector<output::Overlap> overlaps_of(const model::Simulation& simulation) {
 
 output::Summary summarise(const std::string& name, const CommandLine& line, const input::CaseFile& file,
                           const model::Simulation& simulation, const dynamics::Outcome& outcome,
-                          const std::vector<output::Result>& results, std::vector<std::string> notes, int frames) {
+                          const std::vector<output::Result>& results, std::vector<std::string> notes, int frames,
+                          const std::vector<std::string>& warnings = {}) {
   output::Summary summary = summary_of(name, line, file);
   summary.ending = {std::string(dynamics::word(outcome.ending)), outcome.reason, simulation.state.t, outcome.block, outcome.element};
   summary.results = results;
@@ -158,7 +161,7 @@ output::Summary summarise(const std::string& name, const CommandLine& line, cons
                   updates > 0 ? outcome.wall_seconds * 1e9 / updates : 0, threads(), frames, model::frames_every(simulation),
                   outcome.contact};
   notes.push_back("the smallest step was limited by " + outcome.limited_by);
-  summary.notes = notes;
+  summary.notes = notes, summary.warnings = warnings;
   return summary;
 }
 
@@ -255,7 +258,7 @@ void print_forecast(const model::Simulation& simulation, const Forecast& forecas
   const bool touches = contact.step < end && contact.source >= static_cast<int>(model.blocks.size());  // else it is of a rigid body
   if (elements < end)
     std::printf(" (stable step of elements %.4g s%s)", elements, touches ? formatted(", of contact %.4g s", contact.step).c_str() : "");
-  std::printf("\nforecast to the end of time: %s\n", in_words(forecast).c_str());
+  std::printf("\nforecast until time.end: %s\n", in_words(forecast).c_str());
   print(forecast.advice);
 }
 
@@ -289,15 +292,15 @@ Beginning beginning(const std::string& name, const CommandLine& line, const inpu
     throw BadCheckpoint("there is no checkpoint in " + line.out + ", and its results are of another case; choose another --out");
   found.is_over = !last.word.empty() && last.word != "interrupted";
   if (found.is_over && last.word != "reached_end" && last.word != "stopped_by_condition" && last.word != "relaxed") found.status = stopped;
-  const std::string said = found.is_over ? "nothing is left to do: the run in " + line.out + " ended with " + last.word
-                                         : "there is no checkpoint in " + line.out + ": the run starts anew";
+  const std::string said = found.is_over ? "there is nothing to resume: the run in " + line.out + " ended with " + last.word
+                                         : "there is no checkpoint in " + line.out + ": the run starts from the beginning";
   std::fprintf(stderr, "%s: %s\n", name.c_str(), said.c_str());
   return found;
 }
 
 /// Writes a checkpoint where one is due, and where a signal ends the run.
 dynamics::Interrupt checkpoints(const std::string& name, const CommandLine& line, const input::CaseFile& file,
-                                const model::Simulation& simulation, Recorder& recorder) {
+                                const model::Simulation& simulation, output::Recorder& recorder) {
   const double every = line.checkpoint_every.empty() ? INFINITY : time_of(line.checkpoint_every);
   return [&, every, due = std::floor(simulation.state.t / every) + 1, next = checkpoint_of(name, file, simulation.model)](
              const dynamics::View& view) mutable -> std::string {
@@ -343,17 +346,19 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   std::vector<std::string> notes = model::gap_table(simulation);
   for (const std::string& note : model::width_notes(simulation)) notes.push_back(note);
   for (const std::string& note : file.refine_notes()) notes.push_back(note);
+  notes.insert(notes.end(), simulation.gauges.begin(), simulation.gauges.end());
+  std::vector<std::string> told;  // warnings
+  const auto warn = [&](const std::string& note) {
+    notes.push_back(note), told.push_back(note);
+    std::fprintf(stderr, "warning: %s\n", note.c_str());
+  };
   if (!line.quiet) {
     print_not_used(file);
     print(file.preset_lines());
     print(notes);
   }
-  for (const auto& warnings : {simulation.mesh_warnings.texts, model::coarseness_notes(simulation)}) {
-    for (const std::string& note : warnings) {
-      notes.push_back(note);
-      std::fprintf(stderr, "warning: %s\n", note.c_str());
-    }
-  }
+  for (const auto& warnings : {simulation.mesh_warnings.texts, model::coarseness_notes(simulation)})
+    for (const std::string& note : warnings) warn(note);
   if (line.quiet && line.dry_run) {
     const Start start = start_of(simulation);
     check_reach(file, simulation, start.first);
@@ -381,10 +386,10 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     folder.clear();
     output::write_offenders(line.out, simulation.mesh_warnings.offenders);
   }
-  std::optional<Recorder> results_of_run;
+  std::optional<output::Recorder> results_of_run;
   if (begins.checkpoint) results_of_run.emplace(simulation, line.out, line.quiet, begins.checkpoint->results);
   else results_of_run.emplace(simulation, line.out, line.quiet);
-  Recorder& recorder = *results_of_run;
+  output::Recorder& recorder = *results_of_run;
   const std::vector<dynamics::Observer> observers{[&](const dynamics::View& view) {
     if (view.now.step == 0) check_reach(file, simulation, dynamics::choose_step(view.now.step_limits, simulation.time.safety));
     recorder(view);
@@ -401,18 +406,14 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   recorder.finish(model::view(simulation));
 
   if (recorder.replaced() > 0)
-    notes.push_back(counted(static_cast<std::size_t>(recorder.replaced()), "value") +
-                    " beyond the range of the ParaView files, or no number, written there as 0");
+    notes.push_back("the ParaView files have 0 in place of " + counted(static_cast<std::size_t>(recorder.replaced()), "value") +
+                    " beyond their range or not finite");
   const auto of_right_run = [&](std::vector<std::string> (*said)(const model::Simulation&)) {  // else the ending says more
     return dynamics::good(outcome.ending) ? said(simulation) : std::vector<std::string>();
   };
   for (const auto& warnings : {model::rounding_notes(simulation), model::depth_notes(simulation), model::overlap_notes(simulation),
-                               model::quality_notes(simulation), of_right_run(model::mesh_warnings), model::energy_notes(simulation)}) {
-    for (const std::string& note : warnings) {
-      notes.push_back(note);
-      std::fprintf(stderr, "warning: %s\n", note.c_str());
-    }
-  }
+                               model::quality_notes(simulation), of_right_run(model::mesh_warnings), model::energy_notes(simulation)})
+    for (const std::string& note : warnings) warn(note);
   std::vector<std::string> of_mesh = of_right_run(model::mesh_notes);
   for (std::string& note : of_mesh) note = "note: " + note;  // by which summary.json tells them from others
   notes.insert(notes.end(), of_mesh.begin(), of_mesh.end());
@@ -425,7 +426,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     judge(ran, ran.results);
     for (const std::string& note : left_out(file.meshes())) notes.push_back(note);
   }
-  const output::Summary summary = summarise(name, line, file, simulation, outcome, ran.results, notes, recorder.frames());
+  const output::Summary summary = summarise(name, line, file, simulation, outcome, ran.results, notes, recorder.frames(), told);
   output::write_summary(line.out, summary);
   if (outcome.ending != dynamics::Ending::interrupted) remove_checkpoint(line.out);
   if (!line.quiet) {
@@ -588,18 +589,25 @@ int told(const std::string& name, int status) {
 
 /// Reads the command line, and turns what `work` throws into words and an exit status.
 ///
-/// meshes  whether the program may be asked for an accuracy
+/// meshes  whether the program makes steps on meshes, so that it may be asked for an accuracy
+/// read    reads a case to its end, for --keys
 int from_command_line(int argc, char** argv, const std::string& name, bool meshes,
+                      const std::function<void(const input::CaseFile&)>& read,
                       const std::function<int(const CommandLine&, output::RunFolder&)>& work) {
   expect_failing_writes();
   keep_freed_memory();
   CommandLine line;
   CLI::App app("Nereid " + name, name);
+  if (argc == 2 && std::string(argv[1]) == "--keys") {  // in the place of a case
+    std::fputs(keys_as_json(name, meshes, input::asked_keys(read)).c_str(), stdout);
+    return told(name, done);
+  }
   app.failure_message([&name](const CLI::App*, const CLI::Error& error) {
     constexpr std::size_t longest = 600;  // [bytes]
     return name + ": " + clipped(error.what(), longest) + "; '" + name + " --help' lists what may be given\n";
   });
   app.add_option("case", line.case_path, "case file, YAML with units")->required();
+  app.footer(name + " --keys prints all keys of its cases, its results and what its files hold, as JSON");
   app.add_option("--out", line.out, "folder for results; made if it is not there");
   app.add_option("--set", line.overrides, "key.path=value, in place of what the case says; may be repeated")
       ->expected(1)
@@ -672,14 +680,15 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
 }  // namespace
 
 int drive(int argc, char** argv, const std::string& name, const Build& build, const Results& results) {
-  return from_command_line(argc, argv, name, true, [&](const auto& line, auto& folder) {
+  return from_command_line(argc, argv, name, true, build, [&](const auto& line, auto& folder) {
     return line.accuracy.empty() ? run_case(name, line, folder, build, results).status
                                  : run_to_accuracy(name, line, folder, build, results);
   });
 }
 
 int answer(int argc, char** argv, const std::string& name, const Plan& plan) {
-  return from_command_line(argc, argv, name, false, [&](const auto& line, auto& folder) { return answer_case(name, line, folder, plan); });
+  return from_command_line(argc, argv, name, false, plan,
+                           [&](const auto& line, auto& folder) { return answer_case(name, line, folder, plan); });
 }
 
 }  // namespace nereid::driver

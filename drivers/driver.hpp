@@ -1,6 +1,7 @@
 #pragma once
 // What all drivers share: the command line, the files, the exit status.
 //
+//     DRIVER --keys
 //     DRIVER CASE.yaml --out DIR [--set key=value]... [--threads N] [--dry-run] [--quiet] [--checkpoint-every TIME] [--resume]
 
 #include <functional>

@@ -7,12 +7,12 @@
 
 #include "base/memory.hpp"
 #include "base/words.hpp"
-#include "drivers/recorder.hpp"
 #include "dynamics/balance.hpp"
 #include "dynamics/footing.hpp"
 #include "dynamics/overlaps.hpp"
 #include "dynamics/quality.hpp"
 #include "model/usual_frames.hpp"
+#include "output/recorder.hpp"
 
 namespace nereid::driver {
 
@@ -70,8 +70,9 @@ struct Costs {
 
 /// A frame as a run makes it, both grids at once, after one that has packed what does not change.
 double bytes_of_frame(const dynamics::View& view, const model::Recording& recording, std::array<grid::Kept, 2>& kept) {
-  const output::Precision precision = output_precision(recording);
-  const output::Grid body = output::body_grid(view, frame_fields(recording)), contact = output::contact_grid(view);
+  const output::Precision precision = output::output_precision(recording);
+  const output::FrameFields which = output::frame_fields(recording);
+  const output::Grid body = output::body_grid(view, which), contact = output::contact_grid(view, which);
   return static_cast<double>(grid::bytes_of(body, output::GridKind::volume, precision, &kept[0]) +
                              grid::bytes_of(contact, output::GridKind::surface, precision, &kept[1]));
 }
@@ -126,7 +127,7 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
   const dynamics::Model& model = simulation.model;
   dynamics::State& now = simulation.state;
   dynamics::Forces& forces = simulation.forces;
-  const output::Precision precision = output_precision(simulation.recording);
+  const output::Precision precision = output::output_precision(simulation.recording);
   const auto view = [&] { return dynamics::View{model, now, forces, true}; };
   Costs costs;
   std::array<grid::Kept, 2> kept;
@@ -147,8 +148,9 @@ Costs rehearse(model::Simulation& simulation, double dt, const std::function<std
     dynamics::update_ledger(model, now);
     dynamics::check_artificial_energy(model, now);
     dynamics::look_at_footings(model, now);
-    for (std::size_t p = 0; p < now.probes.size(); ++p) dynamics::sample_row(simulation.probes[p], view(), now.probes[p]);
-    output::append_row(now.t, filled(row_of(view(), simulation.probes, ledger), columns_of(simulation.probes, ledger), model), text);
+    for (std::size_t p = 0; p < now.probes.size(); ++p) dynamics::sample_row(simulation.probes[p], view(), now.probes, now.probes[p]);
+    const std::vector<double> row = output::row_of(view(), simulation.probes, ledger);
+    output::append_row(now.t, filled(row, output::columns_of(simulation.probes, ledger), model), text);
   };
   add_row();  // the first one takes longer than all others
   costs.row = seconds_of(add_row);
@@ -184,15 +186,14 @@ std::vector<std::string> not_counted(const model::Simulation& simulation, const 
   const double elements = static_cast<double>(dynamics::element_count(simulation.model));
   const double more = elements > 0 ? forecast.steps * updates * open.apexes * step / elements : 0;
   if (more > worth_saying * forecast.seconds)
-    lines.push_back(listed(open.names) + (open.names.size() > 1 ? " are" : " is") +
-                    formatted(" open at the start and not in these seconds: some %.2g s more if all %.0f nodes of the surfaces touched all "
-                              "the time",
+    lines.push_back(listed(open.names) + (open.names.size() > 1 ? " are open at the start, and their" : " is open at the start, and its") +
+                    formatted(" cost is not in the forecast: about %.2g s more if all %.0f nodes of the surfaces touched all the time",
                               more, open.apexes));
   const auto& stages = simulation.stages;
   const bool relaxes = std::any_of(stages.begin(), stages.end(), [](const auto& one) { return one.relaxation.has_value(); });
   if (relaxes || simulation.model.relaxation || !simulation.stops.empty())
     lines.push_back(std::string(simulation.stops.empty() ? "a relaxation" : "a condition") +
-                    " may end the run before the time that is forecast");
+                    " may end the run earlier than forecast");
   return lines;
 }
 
@@ -220,14 +221,14 @@ Forecast forecast(model::Simulation& simulation, const std::function<std::size_t
   found.rows = times(simulation.recording.history);
   found.frames = std::min(found.rows, times(model::frames_every(simulation)));
   if (!(simulation.recording.frames > 0) && model::frames_every(simulation) > time.end / model::most_usual_frames)
-    found.advice.push_back(formatted("%.0f frames and not %.0f, so that they take no more than a tenth of the run; "
-                                     "'output.frames_every' in the case asks for others",
+    found.advice.push_back(formatted("%.0f frames in place of %.0f, so that they take no more than a tenth of the run; "
+                                     "'output.frames_every' in the case sets another interval",
                                      found.frames, 1 + model::most_usual_frames));
   const double looks = std::min(found.rows, times(time.audit_every));
 
   const Open open = open_contacts(simulation.model, simulation.state);  // a rehearsal closes some
   const Costs costs = rehearse(simulation, found.expected.first.dt, summary);
-  const auto head = output::head_text(columns_of(simulation.probes, dynamics::ledger_probes(simulation.model)));
+  const auto head = output::head_text(output::columns_of(simulation.probes, dynamics::ledger_probes(simulation.model)));
   found.seconds = found.steps * costs.step + found.rows * costs.row + found.frames * costs.frame + looks * costs.look;
   const double frames = costs.first_frame_bytes + (found.frames - 1) * costs.frame_bytes + costs.walls_bytes;
   const double indices = bytes_of_index("body", found.frames) + bytes_of_index("contact", found.frames) + bytes_of_index("walls", 1);

@@ -72,7 +72,7 @@ Case read(const input::Section& root) {
   double rows = 0;
   for (const input::Section& section : root.list("path", 1)) rows += c.path.emplace_back(read_segment(section, c.plate)).increments;
   if (rows > model::most_rows)
-    root.fault("path", "'path' asks for " + formatted("%.3g", rows) + " rows of the history: expected at most ten million");
+    root.fault("path", "'path' gives " + formatted("%.3g", rows) + " rows of the history: expected at most ten million");
   return c;
 }
 

@@ -32,12 +32,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view head = "Nereid checkpoint ";  // then the version, and the end of the line
-constexpr int version = 17;
+constexpr int version = 18;
 
 fs::path file_in(const fs::path& folder) { return folder / output::checkpoint_name; }
 
 template <class Archive>
-void visit(Archive& archive, RecorderMark& mark) {
+void visit(Archive& archive, output::RecorderMark& mark) {
   auto& [history, frame, body, contact, walls] = mark;
   archive(history, frame, body, contact, walls);
 }

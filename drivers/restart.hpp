@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/resolved.hpp"
-#include "drivers/recorder.hpp"
+#include "output/recorder.hpp"
 
 namespace nereid::driver {
 
@@ -18,7 +18,7 @@ struct Checkpoint {
   std::vector<std::string> resolved;  ///< lines_of() the case
   std::uint64_t fingerprint = 0;      ///< dynamics::fingerprint() of the model
   double time = 0;                    ///< [s]
-  RecorderMark results;               ///< how far they had come
+  output::RecorderMark results;               ///< how far they had come
   std::string state;                  ///< dynamics::bytes_of()
 };
 

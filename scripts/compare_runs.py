@@ -146,7 +146,7 @@ def files_that_differ(one, other):
 # Differences over time
 
 # Ends of names of results that are times of events, and counts: round-off moves them by one.
-NO_NUMBERS = ("_at", "_first_touch", "_last_touch", "_walks", "_lost", "_recovered")
+NO_NUMBERS = ("_at", "_first_touch", "_last_touch", "_reconnections", "_lost", "_recovered")
 # Parts of names of columns that a moving observer has otherwise.
 OF_ROUND_OFF = ("_asymmetry", "_residual", "_booked_amiss")  # ends of names of results that measure round-off itself
 OF_THE_FRAME = ("energy_kinetic", "external", "potential", "residual", "integration")

@@ -1,21 +1,11 @@
-#!/usr/bin/python3
-"""The one door to matplotlib: how every figure of Nereid looks, and the command that draws one from a run.
+"""The one door to matplotlib: how every figure of Nereid looks. The same data give the same bytes.
 
-    scripts/figure.py settlement RUN [RUN ...] --out figure5.svg
-    scripts/figure.py energy RUN --out energy.svg
-    scripts/figure.py plugs RUN --out plugs.svg
-    scripts/figure.py plates RUN [RUN ...] --out plates.svg
-
-RUN is the folder a driver wrote (history.csv, summary.json). Besides the SVG a PNG of the same name
-is written. The same data give the same bytes.
+The modules figure_*.py draw data that they are given; they read no file and import nothing but this module.
 """
-import argparse
 import functools
 import io
-import sys
 from pathlib import Path
 
-import command_line
 import matplotlib
 
 matplotlib.use("Agg")
@@ -195,40 +185,3 @@ def plain_ticks(axis):
 def draw_faces(axes, polygons, face, edge="#333333", width=0.35):
     """Polygons [[(across, up), ...], ...] in mm with their edges."""
     axes.add_collection(PolyCollection(polygons, facecolor=face, edgecolor=edge, linewidth=width, zorder=2))
-
-
-# ------------------------------------------------------------------------------------------------
-# The command
-
-def main(arguments=None):
-    parser = command_line.Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    figures = parser.add_subparsers(dest="figure", required=True)
-    settlement = figures.add_parser("settlement", help="head settlement of the cask over time, with its references")
-    settlement.add_argument("runs", nargs="+", type=command_line.folder_to_read, metavar="RUN")
-    energy = figures.add_parser("energy", help="where the energy of a run is, and what was created")
-    energy.add_argument("run", type=command_line.folder_to_read, metavar="RUN")
-    plugs = figures.add_parser("plugs", help="forces at the junctures of plugs, and their velocities")
-    plugs.add_argument("run", type=command_line.folder_to_read, metavar="RUN")
-    plates = figures.add_parser("plates", help="velocities of a stack of plates, one run below the other")
-    plates.add_argument("runs", nargs="+", type=command_line.folder_to_read, metavar="RUN")
-    for figure in (settlement, energy, plugs, plates):
-        figure.add_argument("--out", type=command_line.file_to_write, required=True, metavar="FILE",
-                            help="the SVG; a PNG is written beside it")
-    options = parser.parse_args(arguments)
-    command_line.need_writable(options.out.parent)
-    import figure_cask  # these rest on this module
-    import figure_energy
-    import figure_head
-    import run_files
-    draw = {"settlement": lambda: figure_cask.settlement_figure(options.runs), "energy": lambda: figure_energy.energy_figure(options.run),
-            "plugs": lambda: figure_head.plugs_figure(options.run), "plates": lambda: figure_head.plates_figure(options.runs)}
-    try:
-        drawn = draw[options.figure]()
-    except run_files.Unreadable as error:
-        command_line.refuse(error)
-    save(drawn, options.out)
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,10 +1,7 @@
 """Figures of the cask: its settlement beside the round robin and NEPTUNE, studies of it, its mesh and its section."""
-from pathlib import Path
-
 import numpy as np
 
 from figure import CURVES, LineCollection, Rectangle, draw_curve, draw_faces, draw_range, new_figure, plt, use_style
-from run_files import column, read_history, read_summary
 
 # Maximum head settlement of the cask: three of the four codes of the round robin, and NEPTUNE; both
 # as Kulak & Fiala report them with their Fig. 5. Millimetres and milliseconds.
@@ -29,34 +26,22 @@ def reference_range(axes, quantity, neptune=True):
         axes.axhline(NEPTUNE[quantity], color="black", linewidth=0.7, linestyle=(0, (1, 2)), zorder=1, label="NEPTUNE")
 
 
-def names_of(folders):
-    """What each run is called: its case, or its folder where runs share a case."""
-    folder_names = [Path(folder).resolve().name for folder in folders]
-    cases = [Path(read_summary(folder).get("provenance", {}).get("case_path") or name).stem
-             for folder, name in zip(folders, folder_names)]
-    return cases if len(set(cases)) == len(cases) else folder_names
-
-
-def settlement_figure(folders):
-    """Fig. 5 of Kulak & Fiala: settlement of the lead's head over time after impact."""
+def settlement_figure(runs):
+    """Fig. 5 of Kulak & Fiala: settlement of the lead's head over time after impact; runs are those of run_curves.settlements."""
     figure, axes = new_figure(width=120, height=84)
     round_robin(axes)
-    number, last, largest = 0, ROUND_ROBIN["time"][1] + 0.25, ROUND_ROBIN["settlement"][1]
-    for folder, name in zip(folders, names_of(folders)):
-        history = read_history(folder)
-        who = "Nereid" if len(folders) == 1 else f"Nereid ({name})"
-        time = column(history, "time", "s", folder) * 1e3
-        for quantity, where in [("settlement_mean", "mean of the head"), ("settlement_centre", "centre of the head")]:
-            settlement = column(history, quantity, "m", folder) * 1e3
-            draw_curve(axes, time, settlement, number, f"{who}, {where}")
-            if quantity == "settlement_mean":
-                results = read_summary(folder)["results"]  # of every step; the history has some of them
-                most, at = (1e3 * results[key]["value"] for key in ("settlement_mean", "time_of_settlement_mean"))
+    number, last, highest = 0, ROUND_ROBIN["time"][1] + 0.25, ROUND_ROBIN["settlement"][1]
+    for name, run in runs:
+        who = "Nereid" if len(runs) == 1 else f"Nereid ({name})"
+        for where in ("mean of the head", "centre of the head"):
+            draw_curve(axes, run["time"], run[where], number, f"{who}, {where}")
+            if where == "mean of the head":
+                most, at = run["largest"]
                 axes.plot(at, most, color=CURVES[number % len(CURVES)]["color"], marker="o", markersize=4.5, linestyle="none",
                           zorder=6, label=f"its maximum, {most:.1f} mm at {at:.2f} ms")
-            number, last, largest = number + 1, max(last, time[-1]), max(largest, np.nanmax(settlement))
+            number, last, highest = number + 1, max(last, run["time"][-1]), max(highest, np.nanmax(run[where]))
     axes.set_xlim(0, last)
-    axes.set_ylim(0, 1.08 * largest)
+    axes.set_ylim(0, 1.08 * highest)
     axes.set_xlabel("time after impact [ms]")
     axes.set_ylabel("head settlement, downwards [mm]")
     axes.legend(loc="lower right")

@@ -4,28 +4,12 @@ import re
 import numpy as np
 
 from figure import DOUBLE_COLUMN, draw_curve, new_figure
-from run_files import Unreadable, column, read_history, read_summary
-
-CREATED = ("energy_created", "energy_integration", "energy_residual")
 
 
-def energy_figure(folder, curves=7):
-    """Where the energy of a run is, and what was created out of nothing, over time."""
-    history = read_history(folder)
-    columns, _ = history
-    initial = read_summary(folder)["ledger"]["initial_kinetic"]["value"]  # [J]
-    if not initial > 0:
-        raise Unreadable(f"{folder}/summary.json: the initial kinetic energy is {initial} J; nothing to compare with")
-    time = column(history, "time", "s", folder) * 1e3
-    per_cent = {name: 100 * column(history, name, "J", folder) / initial
-                for name in columns if name.startswith("energy_")}
-    made = {name: values for name, values in per_cent.items() if name.startswith(CREATED)}
-    held = {name: values for name, values in per_cent.items() if name not in made}
-    if not held:
-        raise Unreadable(f"{folder}/history.csv: has no column that starts with 'energy_'")
-
+def energy_figure(time, held, made, curves=7):
+    """Where the energy of a run is, and what was created out of nothing, over time; as run_curves.energies gives them."""
     figure, (upper, lower) = new_figure(width=DOUBLE_COLUMN, height=120, rows=2, ratios=[2, 1])
-    plain = {name: re.sub("^energy_(created_)?", "", name).replace("_", " ") for name in per_cent}
+    plain = {name: re.sub("^energy_(created_)?", "", name).replace("_", " ") for name in (*held, *made)}
 
     # The largest shares are drawn one by one; the others, and those under 1 %, as their sum.
     size = {name: np.nanmax(np.abs(values)) for name, values in held.items()}

@@ -2,24 +2,16 @@
 import numpy as np
 
 from figure import DOUBLE_COLUMN, draw_curve, new_figure
-from run_files import column, read_history
-
-PLUGS = ("small", "intermediate", "large")
 
 
-def plugs_figure(folder):
-    """Forces that the ledges carry, and the velocities of the plugs, of a run of plug_juncture, and those of its shield plates."""
-    history = read_history(folder)
-    time = column(history, "time", "s", folder) * 1e3
-    plates = [name.removeprefix("velocity_") for name in history[0] if name.startswith("velocity_plate_")]
-    shown = [(plates, plates, [f"gap {i + 1}" for i in range(len(plates))])] if plates else []
-    shown.append((PLUGS, [str(i + 1) for i in range(len(PLUGS))], [f"juncture {i + 1}" for i in range(len(PLUGS))]))
-    figure, axes = new_figure(width=DOUBLE_COLUMN, height=55 * 2 * len(shown), rows=2 * len(shown), ratios=[1] * 2 * len(shown))
-    for row, (bodies, forces, strikes) in enumerate(shown):
+def plugs_figure(time, groups):
+    """Forces that the ledges carry, and the velocities of the bodies, a pair of panels for each group of run_curves.plugs."""
+    figure, axes = new_figure(width=DOUBLE_COLUMN, height=55 * 2 * len(groups), rows=2 * len(groups), ratios=[1] * 2 * len(groups))
+    for row, group in enumerate(groups):
         upper, lower = axes[2 * row:2 * row + 2]
-        for number, (body, force, strike) in enumerate(zip(bodies, forces, strikes)):
-            draw_curve(upper, time, -column(history, f"force_{force}", "N", folder) * 1e-6, number, strike, marks=12)
-            draw_curve(lower, time, column(history, f"velocity_{body}", "m/s", folder), number, body.replace("_", " "), marks=12)
+        for number, (body, strike, force, velocity) in enumerate(group):
+            draw_curve(upper, time, force, number, strike, marks=12)
+            draw_curve(lower, time, velocity, number, body, marks=12)
         upper.set_ylabel("force of what is modelled [MN]")
         lower.set_ylabel("upward velocity [m/s]")
         finish(lower, upper, time)
@@ -28,21 +20,16 @@ def plugs_figure(folder):
     return figure
 
 
-def plates_figure(folders):
-    """The velocities of the plates in runs of shield_plates, one below the other."""
-    figure, axes = new_figure(width=DOUBLE_COLUMN, height=55 * len(folders), rows=len(folders), ratios=[1] * len(folders))
-    end = np.inf
-    for axis, folder in zip(np.atleast_1d(axes), folders):
-        history = read_history(folder)
-        time = column(history, "time", "s", folder) * 1e3
-        end = min(end, time[-1])
-        plates = [name for name in history[0] if name.startswith("velocity_")]
-        for number, name in enumerate(plates):
-            draw_curve(axis, time, column(history, name, "m/s", folder), number, name.replace("velocity_", "plate "), marks=12)
-        axis.set_ylabel(f"{folder.name}: velocity [m/s]")
+def plates_figure(runs):
+    """The velocities of the plates in the runs of run_curves.plates, one below the other."""
+    figure, axes = new_figure(width=DOUBLE_COLUMN, height=55 * len(runs), rows=len(runs), ratios=[1] * len(runs))
+    for axis, (name, time, velocities) in zip(np.atleast_1d(axes), runs):
+        for number, (plate, velocity) in enumerate(velocities.items()):
+            draw_curve(axis, time, velocity, number, plate, marks=12)
+        axis.set_ylabel(f"{name}: velocity [m/s]")
         axis.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
     for axis in np.atleast_1d(axes):
-        axis.set_xlim(0, end)
+        axis.set_xlim(0, min(time[-1] for _, time, _ in runs))
     np.atleast_1d(axes)[-1].set_xlabel("time [ms]")
     return figure
 

@@ -2,91 +2,82 @@
 import math
 
 import figure
-import trade_points as points
 
 DOMINATED = "#b8b8b8"
-LEAST = 1e-8    # [-] where round-off is drawn
 BAND = 0.4      # [-] of the uncertainty: how far down its band is drawn
 NEAR = 0.4      # [-] ratio of costs, as a logarithm, of points that get one name
-COSTS = ((points.updates_of, "element updates"), (points.seconds_of, "processor time [s]"))
 
 
-def trade_figure(found, base, references):
+def trade_figure(costs, columns):
     """Every good point: grey those that another one beats, hollow those that finer meshes do not bear out; those of the front are joined
-    and have the numbers of the table."""
-    drawn, rows = figure.new_grid(len(COSTS), len(references), height=130.0)
-    for row, (cost, across) in zip(rows, COSTS):
-        for axes, name in zip(row, references):
+    and have the numbers of the table.
+
+    costs    names of the costs, one for each row
+    columns  {result: [trade_points.Panel, ...]}, one for each cost
+    """
+    drawn, rows = figure.new_grid(len(costs), len(columns), height=130.0)
+    for number, (row, across) in enumerate(zip(rows, costs)):
+        for axes, panels in zip(row, columns.values()):
             axes.set(xscale="log", yscale="log", xlabel=across)
-            draw_panel(axes, found, base, name, references, cost)
+            draw_panel(axes, panels[number])
         row[0].set_ylabel("error [%]")
-    for axes, name in zip(rows[0], references):
+    for axes, name in zip(rows[0], columns):
         axes.set_title(name)
     drawn.get_layout_engine().set(rect=(0, 0, 1, 0.95), w_pad=0.05)
     said = {label: handle for axes in rows[0] for handle, label in zip(*axes.get_legend_handles_labels())}
-    drawn.legend(said.values(), said.keys(), loc="upper center", ncol=len(said), columnspacing=1.0, handlelength=1.8)
+    drawn.legend(said.values(), said.keys(), loc="upper center", ncol=max(1, len(said)), columnspacing=1.0, handlelength=1.8)
     return drawn
 
 
-def draw_panel(axes, found, base, name, references, cost):
+def draw_panel(axes, panel):
     """One result over one cost."""
-    uncertainty = references[name].uncertainty
-    if uncertainty == math.inf:
+    if panel.uncertainty == math.inf:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
         return
-
-    def error(point):
-        return 100 * max(points.counted(point, name, found, references), LEAST)
-
-    best = points.front_of(found, name, references, cost, surely=True)
-    sure = points.borne_out(found)
-    beaten = [one for one in sure if one not in best]
-    alone = [one for one in found if one not in sure]
-    for some, label, face in ((beaten, "beaten by another", DOMINATED), (alone, "without two finer meshes", "white")):
-        axes.plot([cost(one) for one in some], [error(one) for one in some], linestyle="none", marker="o", markersize=3, color=DOMINATED,
+    for some, label, face in ((panel.beaten, "beaten by another", DOMINATED), (panel.alone, "without two finer meshes", "white")):
+        axes.plot([cost for cost, _ in some], [error for _, error in some], linestyle="none", marker="o", markersize=3, color=DOMINATED,
                   markerfacecolor=face, markeredgewidth=0.6, label=label, zorder=1)
-    figure.draw_points(axes, [cost(one) for one in best], [error(one) for one in best], 1, "front")
-    axes.plot([cost(base)], [error(base)], linestyle="none", marker="*", markersize=8, color="#D55E00", markeredgecolor="black",
+    figure.draw_points(axes, [cost for cost, _, _ in panel.front], [error for _, error, _ in panel.front], 1, "front")
+    axes.plot([panel.base[0]], [panel.base[1]], linestyle="none", marker="*", markersize=8, color="#D55E00", markeredgecolor="black",
               markeredgewidth=0.4, label="as the case has it", zorder=4)
-    if uncertainty > 0:
-        axes.axhspan(100 * BAND * uncertainty, 100 * uncertainty, facecolor="#f0f0f0", edgecolor="#c8c8c8", hatch="////", linewidth=0,
-                     label="below the reference's uncertainty", zorder=0)
-        axes.set_ylim(bottom=100 * BAND * uncertainty)
-    numbers = {id(one): number + 1 for number, (one, _) in enumerate(points.front_points(found, name, references))}
-    for one in best:
-        axes.annotate(str(numbers[id(one)]), (cost(one), error(one)), xytext=(3, 3), textcoords="offset points", fontsize=7)
+    if panel.uncertainty > 0:
+        draw_uncertainty(axes, panel.uncertainty)
+    for cost, error, number in panel.front:
+        axes.annotate(str(number), (cost, error), xytext=(3, 3), textcoords="offset points", fontsize=7)
 
 
-def series_figure(lines, wanted, references):
-    """The error that counts of one result over processor time, a line for each series; hollow and not joined are the finest meshes, which
-    no two finer ones bear out."""
-    drawn, axes = figure.new_figure(width=figure.DOUBLE_COLUMN, height=90.0)
-    found = [one for some in lines.values() for one in some]
-    uncertainty = references[wanted.result].uncertainty
-
-    def place(some):
-        return [one.seconds for one in some], [100 * points.counted(one, wanted.result, found, references) for one in some]
-
-    named = []
-    for number, (line, some) in enumerate(lines.items()):
-        style = figure.CURVES[number % len(figure.CURVES)]
-        sure = [one for one in some if len(points.finer_of(one, found)) >= points.FINER]
-        axes.plot(*place(sure), label=line, **style, markersize=4.5, zorder=3)
-        name_points(axes, sure, place(sure), wanted, named)
-        axes.plot(*place([one for one in some if one not in sure]), linestyle="none", marker=style["marker"], color=style["color"],
-                  markersize=4.5, markerfacecolor="white", markeredgewidth=0.7, zorder=2)
-    axes.set(xscale="log", yscale="log", xlabel="processor time [s]", ylabel=f"error of the {wanted.result} that counts [%]")
-    axes.axhspan(100 * BAND * uncertainty, 100 * uncertainty, facecolor="#f0f0f0", edgecolor="#c8c8c8", hatch="////", linewidth=0,
+def draw_uncertainty(axes, uncertainty):
+    """The band [%] below which the reference judges nothing."""
+    axes.axhspan(BAND * uncertainty, uncertainty, facecolor="#f0f0f0", edgecolor="#c8c8c8", hatch="////", linewidth=0,
                  label="below the reference's uncertainty", zorder=0)
-    axes.set_ylim(bottom=100 * BAND * uncertainty)
+    axes.set_ylim(bottom=BAND * uncertainty)
+
+
+def series_figure(result, uncertainty, lines):
+    """The error that counts of one result over processor time, a line for each series; hollow and not joined are the finest meshes, which
+    no two finer ones bear out.
+
+    uncertainty  [%] of the reference
+    lines        {line: (points that finer meshes bear out, the others)}, points as (processor time [s], error [%], name of the mesh)
+    """
+    drawn, axes = figure.new_figure(width=figure.DOUBLE_COLUMN, height=90.0)
+    named = []
+    for number, (line, (sure, unsure)) in enumerate(lines.items()):
+        style = figure.CURVES[number % len(figure.CURVES)]
+        axes.plot([x for x, _, _ in sure], [y for _, y, _ in sure], label=line, **style, markersize=4.5, zorder=3)
+        name_points(axes, sure, named)
+        axes.plot([x for x, _, _ in unsure], [y for _, y, _ in unsure], linestyle="none", marker=style["marker"], color=style["color"],
+                  markersize=4.5, markerfacecolor="white", markeredgewidth=0.7, zorder=2)
+    axes.set(xscale="log", yscale="log", xlabel="processor time [s]", ylabel=f"error of the {result} that counts [%]")
+    draw_uncertainty(axes, uncertainty)
     figure.plain_ticks(axes.yaxis)
     axes.legend(loc="upper right")
     return drawn
 
 
-def name_points(axes, some, places, wanted, named):
+def name_points(axes, some, named):
     """Writes the meshes beside their points, once where points of two lines all but coincide; `named` has what is there already."""
-    for one, x, y in zip(some, *places):
-        if not any(mesh == one.mesh and abs(math.log(x / other)) < NEAR for mesh, other in named):
-            axes.annotate(wanted.name_of(one.mesh), (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
-            named.append((one.mesh, x))
+    for x, y, mesh in some:
+        if not any(mesh == one and abs(math.log(x / other)) < NEAR for one, other in named):
+            axes.annotate(mesh, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7)
+            named.append((mesh, x))

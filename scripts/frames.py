@@ -4,6 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
+ROUND_OFF = 1e-12  # [-] of a size: what points at the start are off by
+DEFORMED = "points_are_deformed"  # array of a whole file that says so
+
 
 class CannotRead(Exception):
     """There is nothing to draw from; says why."""
@@ -22,19 +25,65 @@ def frames_of(folder, name):
     return found
 
 
-def read(file):
-    """The data set of one file and its points as they stand, [points x 3] in mm."""
+def load(file):
+    """The data set of one file."""
     try:
-        from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
     except ImportError as error:
         raise CannotRead("this Python has no VTK (Debian's python3-vtk9)") from error
     reader = vtkXMLPolyDataReader() if Path(file).suffix == ".vtp" else vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(file))
     reader.Update()
-    data = reader.GetOutput()
-    start = vtk_to_numpy(data.GetPoints().GetData())
-    return data, start, 1e3 * (start + vtk_to_numpy(data.GetPointData().GetArray("displacement")))
+    return reader.GetOutput()
+
+
+def positions(data):
+    """Where the points of a frame were at the start and where they are now, [points x 3] in m.
+
+    Points of the file are the positions now if it has `points_are_deformed`; those of older files are the positions at the start.
+    """
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    points, moved = vtk_to_numpy(data.GetPoints().GetData()), data.GetPointData().GetArray("displacement")
+    displacement = vtk_to_numpy(moved) if moved is not None else np.zeros_like(points)
+    if is_deformed(data):
+        return points - displacement, points
+    return points, points + displacement
+
+
+def is_deformed(data):
+    """Whether the points of a frame stand where they are at its time; those of older files stand where they were at the start."""
+    return data.GetFieldData().GetArray(DEFORMED) is not None
+
+
+def unit_of(data, field):
+    """The unit of a field, from the name "stress [Pa]" of an array of the whole file, or of a component of its array `units`."""
+    whole = data.GetFieldData()
+    units = whole.GetArray("units")
+    names = [whole.GetArrayName(i) or "" for i in range(whole.GetNumberOfArrays())]
+    names += [units.GetComponentName(i) for i in range(units.GetNumberOfComponents())] if units is not None else []
+    return next((unit.rstrip("]") for name, _, unit in (one.partition(" [") for one in names) if name == field and unit), "")
+
+
+def bodies(data):
+    """The number of the body of each cell of a frame, and {number: name}; no names if the frame has none.
+
+    A name is that of an array of the whole file with two numbers: that of the body, and 3 of solids or 2 of plates.
+    """
+    if data.GetCellData().GetArray("body") is None:
+        part = data.GetCellData().GetArray("part_id")
+        return array(data, "part_id").astype(int) if part is not None else np.zeros(data.GetNumberOfCells(), int), {}
+    whole = data.GetFieldData()
+    arrays = [whole.GetArray(i) for i in range(whole.GetNumberOfArrays())]
+    names = {int(one.GetValue(0)): one.GetName() for one in arrays if one is not None and one.GetNumberOfValues() == 2
+             and one.GetNumberOfComponents() == 1 and one.GetDataTypeAsString() == "int"}
+    return array(data, "body").astype(int), names
+
+
+def read(file):
+    """The data set of one file and its points at the start [m] and now [mm]."""
+    data = load(file)
+    start, now = positions(data)
+    return data, start, 1e3 * now
 
 
 def array(data, name):
@@ -87,6 +136,7 @@ def skins(folder):
 def elevation(file, title):
     """Polygons of a quarter model in elevation; the other quarters are its mirror images."""
     grid, start, x = read(file)
+    in_front = np.abs(start[:, 1]) < ROUND_OFF * np.ptp(start[:, 1])
     hexahedron, triangle = 12, 5  # as VTK numbers kinds of cells
     skin, section, plates = [], [], set()
     for c in range(grid.GetNumberOfCells()):
@@ -94,11 +144,11 @@ def elevation(file, title):
         nodes = [cell.GetPointId(a) for a in range(cell.GetNumberOfPoints())]
         if cell.GetCellType() == triangle:
             skin.append([(-x[n, 0], x[n, 2]) for n in nodes])
-            plates.update(n for n in nodes if start[n, 1] == 0)
+            plates.update(n for n in nodes if in_front[n])
         elif cell.GetCellType() == hexahedron:
             for side in SIDES:
                 corners = [nodes[a] for a in side]
-                if all(start[n, 1] == 0 for n in corners):
+                if all(in_front[n] for n in corners):
                     section.append([(x[n, 0], x[n, 2]) for n in corners])
     line = [(x[n, 0], x[n, 2]) for n in sorted(plates, key=lambda n: start[n, 2])]
     return title, skin, section, line

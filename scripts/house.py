@@ -8,12 +8,14 @@
     scripts/house.py width    lines have at most 140 characters
     scripts/house.py links    pages link to files that exist
     scripts/house.py retired  words that have a new name (scripts/words.py), once they are retired there
+    scripts/house.py circles  no script of scripts/ imports itself by way of others, and figures import nothing but figures
     scripts/house.py all      all of them
 
 Every fault is one line, `file:line: what is wrong and what is expected`; the exit status is 1 if
 there is one. `--root FOLDER` looks at another tree.
 """
 import argparse
+import ast
 import fnmatch
 import os
 import re
@@ -36,7 +38,7 @@ DOORS = [
     ("Spectra", r"#\s*include\s*<Spectra/", "lib drivers tests", ["lib/dynamics/modes.cpp"]),
     ("VTK", r"#\s*include\s*<vtk\w*", "lib drivers tests", ["lib/grid/grid.cpp"]),
     ("libdeflate", r"#\s*include\s*<libdeflate", "lib drivers tests", ["lib/grid/frame_text.cpp"]),
-    ("nlohmann-json", r"#\s*include\s*<nlohmann/", "lib drivers tests", ["lib/output/summary.cpp"]),
+    ("nlohmann-json", r"#\s*include\s*<nlohmann/", "lib drivers tests", ["lib/output/summary.cpp", "drivers/keys.cpp"]),
     ("CLI11", r"#\s*include\s*<CLI/", "lib drivers tests", ["drivers/driver.cpp"]),
     ("a thread", r"#\s*include\s*<(thread|mutex|future|omp\.h)>|#\s*pragma\s+omp\b", "lib drivers tests",
      ["lib/base/parallel.cpp", "lib/base/beside.cpp"]),
@@ -73,6 +75,8 @@ NEEDS_NO_TEST = {
     "lib/contact/multiplier/book.hpp": "the same",
     "lib/contact/multiplier/motion.hpp": "data only",
     "lib/element/weight.hpp": "tested by tests/element/fluid_test.cpp",
+    "lib/material/j2_search.hpp": "tested by tests/material/law_test.cpp with each flow stress that it searches",
+    "lib/output/dictionary.hpp": "tested by tests/drivers/keys.py: words of what runs write",
     "lib/material/ideal_gas.hpp": "tested by tests/material/fluid_test.cpp, as every law of fluids",
     "lib/material/linear_fluid.hpp": "the same",
     "lib/material/mie_gruneisen.hpp": "the same",
@@ -135,8 +139,10 @@ SAYS_BOTH = "secondary and primary"     # a line with this names the field's wor
 
 WIDTH = 140
 HAS_WIDTH = {".py", ".cpp", ".hpp", ".md", ".yaml", ".sh", ".cmake", ".txt"}  # and programs without ending that start with #!
-# Bad cases have their faults where they are, and one is not even text.
+# Lists of bad cases have the messages of programs, which repeat whole lines of cases.
 ANY_WIDTH = ["tests/drivers/bad_cases/*"]
+
+FIGURES = "figure_"  # what modules that draw begin with
 
 # Where retired words stand by right: the table, what is tested with them, and the page that has the table of words.
 SAYS_RETIRED = {"scripts/words.py", "scripts/update_case", "tests/scripts/update_case_test.py", "tests/scripts/words_test.py",
@@ -376,7 +382,58 @@ def retired(tree):
                     tree.fault(path, number, f"'{one.old}' has a new name, '{one.new}'; scripts/update_case renames it in case files")
 
 
-CHECKS = {"floors": floors, "doors": doors, "words": words, "mirror": mirror, "width": width, "links": links, "retired": retired}
+def imports_of(tree, path):
+    """(line, module) of every import of a file of Python, those within functions too."""
+    found = []
+    try:
+        parsed = ast.parse("\n".join(text for _, text in tree.lines(path)), path)
+    except SyntaxError as error:
+        tree.fault(path, error.lineno or 1, f"is no Python: {error.msg}")
+        return found
+    for node in ast.walk(parsed):
+        if isinstance(node, ast.Import):
+            found += [(node.lineno, one.name.split(".")[0]) for one in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            found.append((node.lineno, node.module.split(".")[0]))
+    return sorted(found)
+
+
+def way_back(path, below):
+    """The shortest chain of imports from a file to itself; empty where there is none."""
+    before, open_ends = {}, [path]
+    for one in open_ends:
+        for _, other in below[one]:
+            if other == path:
+                chain = [path, one]
+                while chain[-1] != path:
+                    chain.append(before[chain[-1]])
+                return chain[::-1]
+            if other not in before:
+                before[other] = one
+                open_ends.append(other)
+    return []
+
+
+def circles(tree):
+    """No script imports itself by way of others; a figure takes data and imports no study."""
+    programs = [path for path in tree.files("scripts") if is_python(tree, path)]
+    of_name = {Path(path).stem: path for path in programs if path.endswith(".py")}
+    below = {path: [(line, of_name[name]) for line, name in imports_of(tree, path) if name in of_name] for path in programs}
+    told = set()
+    for path in programs:
+        chain = way_back(path, below)
+        if chain and path not in told:
+            told.update(chain)
+            line = next(number for number, other in below[path] if other == chain[1])
+            names = " -> ".join(Path(one).name for one in chain)
+            tree.fault(path, line, f"imports itself: {names}; what both need belongs in a third file")
+        for line, other in below[path] if Path(path).name.startswith(FIGURES) else []:
+            if not Path(other).name.startswith(("figure.", FIGURES)):
+                tree.fault(path, line, f"imports {Path(other).name}; a figure takes data and imports nothing of scripts/ but figures")
+
+
+CHECKS = {"floors": floors, "doors": doors, "words": words, "mirror": mirror, "width": width, "links": links, "retired": retired,
+          "circles": circles}
 
 
 def main(arguments=None):

@@ -15,11 +15,13 @@ class Unreadable(Exception):
 
 @dataclasses.dataclass
 class Mesh:
-    """Points [m], cells as lists of points, node sets as lists of 0 and 1, arrays of whole numbers of the cells."""
+    """Points [m], cells as lists of points, node sets as lists of 0 and 1, arrays of numbers of the cells, and {name of a group of cells:
+    (number, dimension)}."""
     points: list
     cells: list
     sets: dict
     cell_arrays: dict = dataclasses.field(default_factory=dict)
+    groups: dict = dataclasses.field(default_factory=dict)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -44,7 +46,8 @@ def read(path):
     ends = cells["offsets"]
     mesh = Mesh([points[i:i + 3] for i in range(0, len(points), 3)],
                 [cells["connectivity"][begin:end] for begin, end in zip([0, *ends], ends)],
-                {name: flags for name, flags in arrays("PointData", int).items() if set(flags) <= {0, 1}}, arrays("CellData", int))
+                {name: flags for name, flags in arrays("PointData", int).items() if set(flags) <= {0, 1}}, arrays("CellData", int),
+                {name: tuple(group) for name, group in arrays("FieldData", int).items() if len(group) == 2})
     if [KIND_OF_VTK.get(len(cell)) for cell in mesh.cells] != cells["types"]:
         raise Unreadable(f"{path.name} has cells that are neither hexahedra nor triangles nor quadrilaterals")
     return mesh
@@ -58,13 +61,17 @@ def write(path, mesh):
         return [f'<DataArray type="{kind}" Name="{name}"{wide} format="ascii">', *rows, "</DataArray>"]
 
     offsets = list(itertools.accumulate(len(cell) for cell in mesh.cells))
-    lines = ['<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">', "<UnstructuredGrid>",
-             f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{len(mesh.cells)}">', "<PointData>"]
+    lines = ['<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">', "<UnstructuredGrid>"]
+    if mesh.groups:
+        lines += ["<FieldData>", *(f'<DataArray type="Int64" Name="{name}" NumberOfTuples="2" format="ascii">{one[0]} {one[1]}</DataArray>'
+                                   for name, one in mesh.groups.items()), "</FieldData>"]
+    lines += [f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfCells="{len(mesh.cells)}">', "<PointData>"]
     for name, flags in mesh.sets.items():
         lines += array("Int32", name, flags)
     lines.append("</PointData>")
     if mesh.cell_arrays:
-        of_cells = [line for name, values in mesh.cell_arrays.items() for line in array("Int32", name, values)]
+        of_cells = [line for name, values in mesh.cell_arrays.items()
+                    for line in array("Float64" if any(isinstance(v, float) for v in values[:1]) else "Int32", name, values)]
         lines += ["<CellData>", *of_cells, "</CellData>"]
     lines += ["<Points>", *array("Float64", "points", [x for p in mesh.points for x in p], 3), "</Points>", "<Cells>"]
     lines += array("Int64", "connectivity", [node for cell in mesh.cells for node in cell])
@@ -116,7 +123,7 @@ def split(mesh):
         fine += new
         for name, values in mesh.cell_arrays.items():
             arrays[name] += [values[number]] * len(new)
-    return Mesh(points, fine, sets, arrays)
+    return Mesh(points, fine, sets, arrays, mesh.groups)
 
 
 # ------------------------------------------------------------------------------------------------
@@ -163,7 +170,7 @@ def renumbered(mesh, shuffled, other_corners=False):
 
     new = Mesh([mesh.points[i] for i in old], [counted(one) for one in old_cells],
                {name: [flags[i] for i in old] for name, flags in mesh.sets.items()},
-               {name: [values[i] for i in old_cells] for name, values in mesh.cell_arrays.items()})
+               {name: [values[i] for i in old_cells] for name, values in mesh.cell_arrays.items()}, mesh.groups)
     return new, new_of_node, new_of_cell
 
 

@@ -10,6 +10,14 @@ class Unreadable(Exception):
     """A run's file is missing or is not what a driver writes; says which and what was expected."""
 
 
+def head(entry, path):
+    """(name, unit, whether it is a mean since the row before) of an entry of the first line of a history."""
+    found = re.fullmatch(r"\s*(\w+)\s*\[([^\]]*)\]( mean)?\s*", entry)
+    if not found:
+        raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]' or 'name [unit] mean'")
+    return found.group(1), found.group(2), found.group(3) is not None
+
+
 def read_history(folder):
     """The columns of history.csv as {name: values} and their units as {name: unit}."""
     path = Path(folder) / "history.csv"
@@ -19,13 +27,8 @@ def read_history(folder):
             rows = [line.split(",") for line in file if line.strip()]
     except OSError as error:
         raise Unreadable(f"{path}: {error.strerror}") from error
-    names, units = [], {}
-    for entry in header:
-        found = re.fullmatch(r"\s*(\w+)\s*\[([^\]]*)\](?: mean)?\s*", entry)
-        if not found:
-            raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]' or 'name [unit] mean'")
-        names.append(found.group(1))
-        units[found.group(1)] = found.group(2)
+    heads = [head(entry, path) for entry in header]
+    names, units = [name for name, _, _ in heads], {name: unit for name, unit, _ in heads}
     values = np.empty((len(rows), len(names)))
     for i, row in enumerate(rows):
         try:

@@ -493,18 +493,32 @@ def crossings(times, values, level=0.0, rising=None):
 NUMBERS = {"Float64": "d", "Float32": "f", "Int32": "i", "Int64": "q", "UInt8": "B", "UInt32": "I", "UInt64": "Q"}
 
 
+DEFORMED = "points_are_deformed"  # array of a whole file: its points stand where they are at its time
+
+
 def read_fields(path):
-    """All numeric arrays of a ParaView file as the drivers write them: {name: list of numbers or tuples}."""
-    fields = {}
-    for array in xml.parse(path).getroot().iter("DataArray"):
-        kind, name = NUMBERS.get(array.get("type")), array.get("Name")
-        text = "".join((array.text or "").split())
-        if kind is None or array.get("format") != "binary":
+    """All numeric arrays of points and cells of a ParaView file as the drivers write them: {name: list of numbers or tuples}.
+
+    `points` are the positions at the start and `positions` those at the time of the file, whichever of them the file holds: older files
+    hold the former. Points at the start come out of files of today with the round-off of the positions.
+    """
+    root, fields = xml.parse(path).getroot(), {}
+    of_file = {array: array.get("Name") for whole in root.iter("FieldData") for array in whole}  # units, and names of bodies: no fields
+    for array in root.iter("DataArray"):
+        kind = NUMBERS.get(array.get("type"))
+        if array in of_file or kind is None or array.get("format") != "binary":
             continue
-        data = unpacked(text)
+        data = unpacked("".join((array.text or "").split()))
         values = struct.unpack(f"<{len(data) // struct.calcsize('<' + kind)}{kind}", data)
         width = int(array.get("NumberOfComponents", "1"))
-        fields[name] = list(values) if width == 1 else list(zip(*[iter(values)] * width, strict=True))
+        fields[array.get("Name")] = list(values) if width == 1 else list(zip(*[iter(values)] * width, strict=True))
+    if "points" in fields and "displacement" in fields:
+        pairs = list(zip(fields["points"], fields["displacement"], strict=True))
+        if DEFORMED in of_file.values():
+            fields["positions"] = fields["points"]
+            fields["points"] = [tuple(a - b for a, b in zip(x, u)) for x, u in pairs]
+        else:
+            fields["positions"] = [tuple(a + b for a, b in zip(x, u)) for x, u in pairs]
     return fields
 
 

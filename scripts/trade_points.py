@@ -234,6 +234,64 @@ def unproved(points, meshes, references):
 
 
 # ------------------------------------------------------------------------------------------------
+# Figures
+
+@dataclasses.dataclass(frozen=True)
+class Panel:
+    """What a panel of the figure shows: one result over one cost, points as (cost, error [%]).
+
+    beaten       those that another one beats
+    alone        those that finer meshes do not bear out
+    front        those that no other one beats, as (cost, error [%], number in the table)
+    base         the case itself
+    uncertainty  [%] of the reference; infinite without one, and then there are no points
+    """
+    beaten: list
+    alone: list
+    front: list
+    base: tuple
+    uncertainty: float
+
+
+COSTS = {"element updates": updates_of, "processor time [s]": seconds_of}
+LEAST = 1e-8    # [-] where round-off is drawn
+
+
+def panel_of(points, base, result, references, cost):
+    """The Panel of the points that have a result."""
+    uncertainty = references[result].uncertainty
+    if uncertainty == math.inf:
+        return Panel([], [], [], (), math.inf)
+
+    def place(point):
+        return cost(point), 100 * max(counted(point, result, points, references), LEAST)
+
+    best, sure = front_of(points, result, references, cost, surely=True), borne_out(points)
+    numbers = {id(one): number + 1 for number, (one, _) in enumerate(front_points(points, result, references))}
+    return Panel([place(one) for one in sure if one not in best], [place(one) for one in points if one not in sure],
+                 [(*place(one), numbers[id(one)]) for one in best], place(base), 100 * uncertainty)
+
+
+def panels(points, base, references):
+    """{result: [Panel, ...]}, one for each of COSTS."""
+    return {name: [panel_of(points, base, name, references, cost) for cost in COSTS.values()] for name in references}
+
+
+def series_lines(lines, wanted, references):
+    """{line: (points that finer meshes bear out, the others)}, points as (processor time [s], error that counts [%], name of the mesh)."""
+    found = [one for some in lines.values() for one in some]
+
+    def places(some):
+        return [(one.seconds, 100 * counted(one, wanted.result, found, references), wanted.name_of(one.mesh)) for one in some]
+
+    drawn = {}
+    for line, some in lines.items():
+        sure = [one for one in some if len(finer_of(one, found)) >= FINER]
+        drawn[line] = places(sure), places([one for one in some if one not in sure])
+    return drawn
+
+
+# ------------------------------------------------------------------------------------------------
 # Tables
 
 def share(value):

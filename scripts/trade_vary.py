@@ -23,6 +23,7 @@ import verify
 from runs import ROOT, BadArgument, CannotRun
 
 PER_INPUT = 8  # runs for each input, where no number is asked for
+MOST_ROWS = 16  # inputs in the figure
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 UNIT = r"(?P<unit>\s*[^\s\d.+-].*|\s+\S.*)?"
 ABOUT = re.compile(rf"(?:±|\+-)\s*(?P<by>{NUMBER}){UNIT}\s*")
@@ -286,6 +287,34 @@ def order(one):
     return sorted(range(len(one.found.share)), key=lambda i: (-one.found.share[i].value, -abs(one.found.change[i].value)))
 
 
+@dataclasses.dataclass
+class Bar:
+    """What one input does to a result: its share of the variance, and the change from its low end to its high one, each with its error."""
+    key: str
+    share: tuple
+    change: tuple
+
+
+@dataclasses.dataclass
+class Spread:
+    """What the figure shows of a result; the largest share stands last in `bars`, so that it is drawn on top."""
+    name: str
+    unit: str
+    numerical: float
+    rest: tuple
+    bars: list
+
+
+def spreads(inputs, studies):
+    """The Spread of each result."""
+    def pair(number):
+        return number.value, number.error
+
+    return [Spread(one.name, one.unit, one.numerical, pair(one.found.rest),
+                   [Bar(inputs[i].key, pair(one.found.share[i]), pair(one.found.change[i])) for i in order(one)[:MOST_ROWS][::-1]])
+            for one in studies]
+
+
 def spread_table(rows, studies):
     good = [row for row in rows if row.ending == "good"]
     lines = []
@@ -365,7 +394,7 @@ def write(sweep, words, runs_of):
     drawn = options.out / f"{name}.svg"
     import figure
     import figure_vary
-    figure.save(figure_vary.vary_figure(inputs, studies), drawn, png=False)
+    figure.save(figure_vary.vary_figure(spreads(inputs, studies)), drawn, png=False)
     print((options.out / f"{name}.md").read_text(encoding="utf-8"))
     print(f"{options.out / name}.csv, .md, .svg")
     if options.into:

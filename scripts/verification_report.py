@@ -13,7 +13,8 @@ import markdown
 import defaults
 import figure as drawing
 import verification_tables as tables
-import verify
+from runs import ROOT
+from verification_outcome import Outcome
 
 STYLE = """
 :root { --line: #c8c8c8; --quiet: #5a5a5a; --good: #1b6e3a; --miss: #9a5b00; --bad: #a3161a; }
@@ -44,7 +45,7 @@ def write(folder, level, names, asked):
     outcomes, missing = {}, []
     for name in names:
         try:
-            outcomes[name] = verify.Outcome.load(folder / level / f"{name}.json")
+            outcomes[name] = Outcome.load(folder / level / f"{name}.json")
         except (OSError, ValueError, TypeError):
             missing.append(name)
     path = folder / "report.html"
@@ -117,7 +118,7 @@ def overview_row(out):
 # A case
 
 def case_page(out):
-    folder = verify.ROOT / "verification" / out.name
+    folder = ROOT / "verification" / out.name
     title, text = authored(folder / "README.md", out)
     parts = [f"<section class='page' id='{out.name}'>", NAVIGATION, f"<h1>{html.escape(title)}</h1>", text, *map(picture, out.figures),
              "<h3>Checks</h3>", rows_table([row for row in out.rows if row.kind not in ("study", "break")])]
@@ -219,7 +220,7 @@ def limitations(outcomes):
         parts += ["<h2>Reported and not gated</h2>", "<ul>" + "".join(
             f"<li><a href='#{out.name}'>{out.name.replace('_', ' ')}</a>: {inline(row.name)}, {row.error} off. {sentence(row.because)}</li>"
             for out, row in reported) + "</ul>"]
-    page = (verify.ROOT / tables.PAGE).read_text(encoding="utf-8")
+    page = (ROOT / tables.PAGE).read_text(encoding="utf-8")
     for heading in ("What is not verified", "Limitations"):
         found = re.search(rf"^## {heading}\n(.*?)(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
         if found:

@@ -7,7 +7,7 @@ chaotic check only the limit and the verdict count.
 import re
 
 import defaults
-import verify
+from verification_outcome import Outcome
 
 BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
 PAGE = "docs/verified.md"  # holds the table of all cases
@@ -68,7 +68,7 @@ def section_of(catalogue, evidence):
 
 def quick_part(out):
     """The rows that the quick suite has too."""
-    return verify.Outcome(out.name, out.level, rows=[row for row in out.rows if not row.full])
+    return Outcome(out.name, out.level, rows=[row for row in out.rows if not row.full])
 
 
 def suite_line(out):
@@ -114,8 +114,12 @@ def put_block(path, block):
     path.write_text(text, encoding="utf-8")
 
 
-def write(root, outcomes):
-    """Writes tables and figures of these outcomes into the tree; lines of other cases stay as they are."""
+def write(root, outcomes, names, kind_of):
+    """Writes tables and figures of these outcomes into the tree; lines of other cases stay as they are.
+
+    names    of all cases
+    kind_of  the numbers of the catalogue and the evidence of a case, by its name
+    """
     for name, out in outcomes.items():
         folder = root / "verification" / name
         for picture, _, svg in out.figures:
@@ -124,11 +128,9 @@ def write(root, outcomes):
         put_block(folder / "README.md", case_block(out))
     page = root / PAGE
     page.parent.mkdir(exist_ok=True)
-    names = verify.names_of_all(root)
     old = page_lines(root)
     lines = {name: suite_line(outcomes[name]) if name in outcomes else old[name] for name in names if name in outcomes or name in old}
-    accepted = {name: verify.Case(name, root).accept for name in lines}
-    put_block(page, suite_block(lines, {name: section_of(one.CATALOGUE, one.EVIDENCE) for name, one in accepted.items()}))
+    put_block(page, suite_block(lines, {name: section_of(*kind_of(name)) for name in lines}))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -141,7 +143,7 @@ def stale(root, names, folder):
     faults += [f"{PAGE}: has a line of {name}, which is no case" for name in suite if name not in names]
     for name in names:
         try:
-            out = verify.Outcome.load(folder / f"{name}.json")
+            out = Outcome.load(folder / f"{name}.json")
         except OSError:
             faults.append(f"{name}: has no quick outcome in {folder}; run scripts/verify {name} first")
             continue

@@ -3,14 +3,18 @@
 
     scripts/view.py out/cask_drop --field von_mises --time 4.3e-3 --cut --out cask.png
     scripts/view.py out/cask_drop --cut --frames out/cask_drop/frames     # frame_0000.png, frame_0001.png ...
+    scripts/view.py out/balls --field body --hide lower --cut ball         # bodies by their names in the case
 
-Frames have one camera and one range of colours: that of all frames together, unless --range gives it.
-Needs Debian's python3-vtk9 and, where there is no screen, xvfb; ParaView is not needed.  The
-bodies are moved by `displacement`; contact elements are coloured by status, or by a field of their
-own, and open ones are thin grey lines.  The view is that of an upright cylinder: z is up.
+The picture is filled by the bodies that are shown. Frames have one camera and one range of colours: that of all frames together, unless
+--range gives it. Needs Debian's python3-vtk9 and, where there is no screen, xvfb; ParaView is not needed. Bodies stand where they are at
+the time of the frame. Contact elements that act are coloured by status, or by a field of their own; open ones, which frames have by
+`output: {fields: all}`, are thin grey lines and are drawn by --open only. Of bodies that are hidden no contact is drawn, unless the other
+body is shown. Bodies of frames that are older than their names have the numbers 0, 1 ... as names. The view is that of an upright
+cylinder: z is up.
 """
 
 import argparse
+import colorsys
 import os
 import shutil
 import sys
@@ -18,12 +22,19 @@ import xml.etree.ElementTree as xml
 from math import cos, radians, sin
 
 import command_line
+import frames
+import runs
 
 STATUS = [("unpaired", (0.75, 0.55, 0.10)), ("open", (0.55, 0.55, 0.55)), ("closed", (0.85, 0.10, 0.10))]
+CLOSED = 1  # status of an element that acts
 DATA_SETS = ("body", "contact", "walls")
 PREFERRED = {"body": ("von_mises", "von_mises_top", "displacement"), "contact": ("contact_status", "gap")}
+GOLDEN = 0.618  # of a turn of the hue: no two of some bodies are near
 MOST_PIXELS = 16384  # of a picture, either way
 DARK = (0.1, 0.1, 0.1)
+VIEW_ANGLE = 12  # [degrees] from far away: parallel edges look parallel
+FREE = (-0.95, 0.68), (-0.93, 0.87)  # of the picture, from -1 to 1 each way: beside the bars, below the time
+OUTLINE = 64  # directions in which the points that bound a picture are sought
 
 
 def arguments():
@@ -31,15 +42,20 @@ def arguments():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("folder", type=command_line.folder_to_read, help="where body.pvd and contact.pvd stand")
-    add("--field", help="what colours the body (default: von_mises, of plates von_mises_top, else displacement)")
+    add("--field", help="what colours the bodies (default: von_mises, of plates von_mises_top, else displacement); 'body': each its own")
     add("--component", help="its component, such as ZZ (default: the magnitude of a vector)")
     add("--contact-field", help="what colours contact (default: contact_status, else gap)")
     add("--time", type=command_line.finite, help="[s]; the nearest frame is drawn (default: the last)")
     add("--out", type=command_line.file_to_write, help="PNG to write (default: view.png in the folder)")
     add("--frames", type=command_line.folder_to_write, metavar="DIR", help="write every frame into this folder, for an animation")
-    add("--cut", action="store_true", help="take away the half y < 0, to look inside")
+    add("--cut", nargs="*", metavar="BODY", help="take away the half y < 0, to look inside; of these bodies (default: of all)")
+    add("--cut-at", type=command_line.finite, default=0.0, metavar="Y", help="[m]; where the cut is (default: 0)")
+    shown = parser.add_mutually_exclusive_group()
+    shown.add_argument("--hide", nargs="+", default=[], metavar="BODY", help="bodies that are not drawn")
+    shown.add_argument("--only", nargs="+", default=[], metavar="BODY", help="bodies that are drawn, and no other ones")
+    add("--open", action="store_true", help="draw contact elements that are open, too")
     add("--show", type=data_sets, default="body,contact,walls", help="which data sets, with commas between")
-    add("--warp", type=command_line.finite, default=1.0, help="factor on the displacement (default: 1)")
+    add("--warp", type=command_line.finite, default=1.0, help="factor on the displacement (default: 1, the deformed shape)")
     add("--range", type=command_line.finite, nargs=2, metavar=("LOW", "HIGH"), help="of the body's colours")
     add("--opacity", type=part, default=1.0, help="of the body")
     add("--edges", action="store_true", help="draw the edges of the body's elements")
@@ -90,6 +106,8 @@ def check_names(asked):
         if name not in drawn or not (field or component):
             continue
         there = fields_of(asked.folder / chosen_file(asked.folder, name, asked.time)[1])
+        if "part_id" in there:
+            there.setdefault("body", there["part_id"])  # of older frames
         if field and field not in there:
             command_line.refuse(command_line.unknown("field", field, there))
         field = field or next((one for one in PREFERRED[name] if one in there), None)
@@ -98,6 +116,20 @@ def check_names(asked):
             command_line.refuse(f"'{field}' has the components {', '.join(components)}")
         if not component and len(components) not in (1, 3):
             command_line.refuse(f"say which component of '{field}' is meant; there are: {', '.join(components)}")
+    by_name = [*asked.hide, *asked.only, *(asked.cut or [])]
+    there = names_of_bodies(asked.folder / chosen_file(asked.folder, "body", asked.time)[1]) if by_name and "body" in drawn else []
+    wrong = [command_line.unknown("body", name, there) for name in by_name if name not in there]
+    if wrong:
+        command_line.refuse("; ".join(wrong))
+    if asked.show == ["body"] and there and set(asked.hide) >= set(there):
+        command_line.refuse("argument --hide: there is no other body")
+
+
+def names_of_bodies(path):
+    """Names of the bodies of a frame; the numbers of its parts where it has no names."""
+    whole = [array for part_of_file in xml.parse(path).getroot().iter("FieldData") for array in part_of_file]
+    found = [array.get("Name") for array in whole if array.get("NumberOfTuples") == "2"]
+    return found or [str(part) for part in sorted(set(runs.read_fields(path).get("part_id", [])))]
 
 
 def fields_of(path):
@@ -154,39 +186,79 @@ def frame(folder, name, time):
 
 
 def moved(data, factor):
-    """The same data where it stands now; points in the files stand where they were at the start."""
+    """The same data with its displacement times a factor; points of older files stand where they were at the start."""
     data.GetPointData().SetActiveVectors("displacement")
     warp = vtk.vtkWarpVector()
     warp.SetInputData(data)
-    warp.SetScaleFactor(factor)
+    warp.SetScaleFactor(factor - 1 if frames.is_deformed(data) else factor)
     warp.Update()
     return warp.GetOutput()
 
 
-def half(data):
-    """What lies at y >= 0; contact elements stay whole, since a clipped list of lines and triangles loses which is which."""
+def named(data):
+    """The number of each cell's body, put into the frame where it has none, and {name: number}."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    of_cells, names = frames.bodies(data)
+    if data.GetCellData().GetArray("body") is None:
+        numbers = numpy_to_vtk(of_cells.astype("i4"), deep=True)
+        numbers.SetName("body")
+        data.GetCellData().AddArray(numbers)
+    return of_cells, {names.get(int(one), str(one)): int(one) for one in sorted(set(of_cells))}
+
+
+def with_cells(data, which):
+    """The cells of a frame for which an array is true, with the points that they use."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+    node = vtk.vtkSelectionNode()
+    node.SetFieldType(vtk.vtkSelectionNode.CELL)
+    node.SetContentType(vtk.vtkSelectionNode.INDICES)
+    node.SetSelectionList(numpy_to_vtkIdTypeArray(np.flatnonzero(which).astype("i8"), deep=True))
+    selection = vtk.vtkSelection()
+    selection.AddNode(node)
+    extract = vtk.vtkExtractSelection()
+    extract.SetInputData(0, data)
+    extract.SetInputData(1, selection)
+    extract.Update()
+    found = extract.GetOutput()
+    found.SetFieldData(data.GetFieldData())
+    return found
+
+
+def places_of(data, which):
+    """The points of the cells for which an array is true, as bytes that can be compared: contact elements stand on them."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    points, cells = vtk_to_numpy(data.GetPoints().GetData()), data.GetCells()
+    ends, nodes = (vtk_to_numpy(one) for one in (cells.GetOffsetsArray(), cells.GetConnectivityArray()))
+    return {points[node].tobytes() for node in set(nodes[np.repeat(which, np.diff(ends))].tolist())}
+
+
+POINTS_OF_ELEMENT = 5  # of a contact element: foot, apex and the corners of the facet
+
+
+def touching(data, places):
+    """For each element of a frame of contact, whether one of its points is at one of the places."""
+    import numpy as np
+    return np.array([any(point.tobytes() in places for point in points) for points in elements_of(data)], bool)
+
+
+def elements_of(data):
+    """The points of each contact element [elements x 5 x 3]."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    return vtk_to_numpy(data.GetPoints().GetData()).reshape(-1, POINTS_OF_ELEMENT, 3)
+
+
+def half(data, at):
+    """What lies at y >= at."""
     plane = vtk.vtkPlane()
+    plane.SetOrigin(0, at, 0)
     plane.SetNormal(0, 1, 0)
-    if data.IsA("vtkPolyData"):
-        clip = vtk.vtkExtractPolyDataGeometry()
-        clip.SetImplicitFunction(plane)
-        clip.ExtractInsideOff()
-    else:
-        clip = vtk.vtkTableBasedClipDataSet()
-        clip.SetClipFunction(plane)
+    clip = vtk.vtkTableBasedClipDataSet()
+    clip.SetClipFunction(plane)
     clip.SetInputData(data)
     clip.Update()
     return clip.GetOutput()
-
-
-def unit_of(data, field):
-    """The unit of a field, from the names "stress [Pa]" of the components of an array that every file carries."""
-    units = data.GetFieldData().GetArray("units")
-    for i in range(units.GetNumberOfComponents() if units else 0):
-        name, _, unit = units.GetComponentName(i).partition(" ")
-        if name == field:
-            return unit.strip("[]")
-    return ""
 
 
 def array_of(data, field):
@@ -225,8 +297,8 @@ def black(text, size):
     text.SetFontSize(size)
 
 
-def bar(title, colours, place, labels=5):
-    """A scalar bar with black text; place is left, bottom, width, height of the picture."""
+def bar(title, colours, place, labels=5, letters=20):
+    """A scalar bar with black text; place is left, bottom, width, height of the picture, letters the size of words beside it."""
     actor = vtk.vtkScalarBarActor()
     actor.SetLookupTable(colours)
     actor.SetTitle(title)
@@ -235,7 +307,7 @@ def bar(title, colours, place, labels=5):
     actor.SetUnconstrainedFontSize(True)
     black(actor.GetTitleTextProperty(), 22)
     black(actor.GetLabelTextProperty(), 20)
-    black(actor.GetAnnotationTextProperty(), 20)
+    black(actor.GetAnnotationTextProperty(), letters)
     actor.GetTitleTextProperty().SetJustificationToLeft()
     actor.SetVerticalTitleSeparation(12)
     actor.SetBarRatio(0.25)
@@ -292,7 +364,7 @@ def colour(mapper, data, field, component, limits):
     mapper.SetLookupTable(table)
     mapper.UseLookupTableScalarRangeOn()
     table.SetRange(*(limits or array.GetRange(which)))
-    return f"{title} [{unit_of(data, field)}]", table
+    return f"{title} [{frames.unit_of(data, field)}]", table
 
 
 def surface_mapper(data):
@@ -316,20 +388,41 @@ def actor_of(mapper):
     return actor
 
 
-def add_body(renderer, data, asked):
-    mapper = surface_mapper(half(data) if asked.cut else data)
-    actor = actor_of(mapper)
-    actor.GetProperty().SetColor(0.75, 0.75, 0.75)
-    actor.GetProperty().SetOpacity(asked.opacity)
-    actor.GetProperty().SetEdgeVisibility(asked.edges)
-    actor.GetProperty().SetEdgeColor(0.35, 0.35, 0.35)
-    field = chosen(data, asked.field, PREFERRED["body"])
-    if field:
-        mapper.ScalarVisibilityOn()
-        # The range is that of the whole body: a cut must not change what a colour means.
-        title, table = colour(mapper, data, field, asked.component, asked.range)
+def colours_of_bodies(names):
+    """A colour for each body, far from those of the bodies before it."""
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(len(names))
+    table.IndexedLookupOn()  # a bar of words, not of numbers
+    for i, (name, number) in enumerate(names.items()):
+        table.SetTableValue(i, *colorsys.hsv_to_rgb((0.6 + GOLDEN * i) % 1, (0.45, 0.65)[i % 2], (0.9, 0.75)[i % 2]), 1)
+        table.SetAnnotation(number, name)
+    return table
+
+
+def add_body(renderer, body, asked):
+    field = chosen(body.whole, asked.field, PREFERRED["body"])
+    for data in body.pieces:
+        mapper = surface_mapper(data)
+        actor = actor_of(mapper)
+        actor.GetProperty().SetColor(0.75, 0.75, 0.75)
+        actor.GetProperty().SetOpacity(asked.opacity)
+        actor.GetProperty().SetEdgeVisibility(asked.edges)
+        actor.GetProperty().SetEdgeColor(0.35, 0.35, 0.35)
+        if field:
+            mapper.ScalarVisibilityOn()
+        if field == "body":
+            mapper.SetScalarModeToUseCellFieldData()
+            mapper.SelectColorArray(field)
+            mapper.SetLookupTable(colours_of_bodies(body.names))
+        elif field:
+            # The range is that of all bodies that are shown, whole: a cut must not change what a colour means.
+            title, table = colour(mapper, body.whole, field, asked.component, asked.range)
+        renderer.AddActor(actor)
+    if field == "body":
+        letters = min(20, int(0.7 * 0.4 * asked.size[1] / len(body.names)))
+        renderer.AddActor2D(bar("body", colours_of_bodies(body.names), (0.89, 0.50, 0.10, 0.40), 0, letters))
+    elif field:
         renderer.AddActor2D(bar(title, table, (0.86, 0.50, 0.10, 0.40)))
-    renderer.AddActor(actor)
 
 
 def cells_where(data, lowest, highest):
@@ -353,29 +446,30 @@ def triangles_of(data):
     return triangles
 
 
-def status_colours():
+def status_colours(data):
+    """Of the statuses that are there: a bar of words, not of numbers."""
+    low, high = data.GetCellData().GetArray("contact_status").GetRange()
+    there = [(number, *one) for number, one in enumerate(STATUS, start=-1) if low <= number <= high]  # statuses count from -1, lost
     table = vtk.vtkLookupTable()
-    table.SetNumberOfTableValues(len(STATUS))
-    table.SetRange(-1.5, len(STATUS) - 1.5)
-    table.IndexedLookupOn()  # a bar of words, not of numbers
-    for i, (word, rgb) in enumerate(STATUS):
+    table.SetNumberOfTableValues(len(there))
+    table.IndexedLookupOn()
+    for i, (number, word, rgb) in enumerate(there):
         table.SetTableValue(i, *rgb, 1)
-        table.SetAnnotation(i - 1, word)  # statuses count from -1, lost
+        table.SetAnnotation(number, word)
     return table
 
 
-def add_contact(renderer, data, asked):
-    if asked.cut:
-        data = half(data)
-    if data.GetNumberOfCells() == 0:
+def add_contact(renderer, contact, asked):
+    if not contact.pieces:
         return
+    (data,) = contact.pieces
     field = chosen(data, asked.contact_field, PREFERRED["contact"])
     has_status = data.GetCellData().GetArray("contact_status") is not None
-    closed = cells_where(data, 1, 255) if has_status and not asked.contact_field else data
+    thick = cells_where(data, 1, 255) if has_status and not asked.contact_field else data
     # Contact lies in the faces of the bodies: it is drawn a hair nearer to the eye.
     hair = [2e-3 * data.GetLength() * along for along in towards_eye(asked)]
     table = None
-    for part, thin in ((cells_where(data, 0, 0) if has_status else None, True), (closed, False)):
+    for part, thin in ((cells_where(data, 0, 0) if has_status else None, True), (thick, False)):
         if part is None or part.GetNumberOfCells() == 0:
             continue
         mapper = surface_mapper(part)
@@ -394,8 +488,7 @@ def add_contact(renderer, data, asked):
             else:
                 mapper.SetScalarModeToUseCellFieldData()
                 mapper.SelectColorArray(field)
-                mapper.SetLookupTable(status_colours())
-                mapper.UseLookupTableScalarRangeOn()
+                mapper.SetLookupTable(status_colours(data))
             outlines = actor_of(surface_mapper(triangles_of(mapper.GetInput())))
             outlines.SetPosition(*[1.5 * along for along in hair])
             outlines.GetProperty().SetRepresentationToWireframe()
@@ -403,15 +496,16 @@ def add_contact(renderer, data, asked):
             renderer.AddActor(outlines)
         renderer.AddActor(actor)
     if field == "contact_status":
-        renderer.AddActor2D(bar("contact", status_colours(), (0.86, 0.12, 0.10, 0.24), 0))
+        renderer.AddActor2D(bar("contact", status_colours(data), (0.86, 0.12, 0.10, 0.24), 0))
     elif table:
         renderer.AddActor2D(bar(title, table, (0.86, 0.07, 0.10, 0.34)))
 
 
-def add_walls(renderer, data, _):
-    actor = actor_of(surface_mapper(data))
-    actor.GetProperty().SetColor(0.85, 0.85, 0.82)
-    renderer.AddActor(actor)
+def add_walls(renderer, walls, _):
+    for data in walls.pieces:
+        actor = actor_of(surface_mapper(data))
+        actor.GetProperty().SetColor(0.85, 0.85, 0.82)
+        renderer.AddActor(actor)
 
 
 def add_time(renderer, time):
@@ -429,22 +523,65 @@ def towards_eye(asked):
     return sin(about) * cos(above), -cos(about) * cos(above), sin(above)
 
 
-def aim(renderer, bounds, asked):
-    """Looks along +y with z up, at the bodies and not at the walls; leaves room for the bars."""
+def axes_of_picture(asked):
+    """Unit vectors to the right, upwards and towards the eye, as rows; z is up."""
+    import numpy as np
+    eye = np.array(towards_eye(asked))
+    upwards = np.array((0, 0, 1)) if abs(eye[2]) < 1 - 1e-9 else np.array((0, 1, 0))
+    right = np.cross(upwards, eye) / np.linalg.norm(np.cross(upwards, eye))
+    return np.array((right, np.cross(eye, right), eye))
+
+
+def outline(there, asked):
+    """Those points of what is drawn that are farthest in some direction of the picture; walls count where there is nothing else."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    pieces = [piece for name, one in there.items() for piece in one.pieces if name != "walls"]
+    pieces = [piece for piece in pieces or [piece for one in there.values() for piece in one.pieces] if piece.GetNumberOfPoints() > 0]
+    if not pieces:
+        return np.zeros((0, 3))
+    points = np.concatenate([vtk_to_numpy(piece.GetPoints().GetData()) for piece in pieces])
+    turns = np.linspace(0, 2 * np.pi, OUTLINE, endpoint=False)
+    along = np.array((np.cos(turns), np.sin(turns))).T @ axes_of_picture(asked)[:2]
+    return points[np.unique(np.argmax(along @ points.T, axis=1))]
+
+
+def aim(renderer, points, asked):
+    """Fills the free part of the picture with the points."""
+    import numpy as np
+    axes = axes_of_picture(asked)
+    right, up, near = axes @ points.T
+    middle = [(one.min() + one.max()) / 2 for one in (right, up, near)]
+    size = max(np.ptp(right), np.ptp(up), np.ptp(near)) or 1.0
+    half_angle = np.tan(np.radians(VIEW_ANGLE / 2))
+    spread = half_angle * asked.size[0] / asked.size[1], half_angle  # of the picture at a distance of one
+    distance = size / half_angle
+    for _ in range(20):  # nearer points look larger: each time is nearer to the camera that is sought
+        depth = distance + middle[2] - near
+        seen = [(one - at) / depth / width for one, at, width in zip((right, up), middle, spread)]
+        for i, (one, (low, high)) in enumerate(zip(seen, FREE)):
+            middle[i] += ((one.min() + one.max()) / 2 - (low + high) / 2) * distance * spread[i]
+        filled = max(np.ptp(one) / (high - low) for one, (low, high) in zip(seen, FREE))
+        distance = max(distance * filled, 1.05 * (near.max() - middle[2]) + 1e-3 * size)
     camera = renderer.GetActiveCamera()
-    camera.SetViewAngle(12)  # [degrees] from far away: parallel edges look parallel
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(*towards_eye(asked))
-    camera.SetViewUp(0, 0, 1)
-    renderer.ResetCamera(bounds)
-    camera.Zoom(1.1)
-    camera.SetWindowCenter(0.14, 0)
+    camera.SetViewAngle(VIEW_ANGLE)
+    focus = np.array(middle) @ axes
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*(focus + distance * axes[2]))
+    camera.SetViewUp(*axes[1])
     renderer.ResetCameraClippingRange()
 
 
+class Part:
+    """What is drawn of a data set: its pieces; what they are of, before a cut; and {name: number} of the bodies in it."""
+
+    def __init__(self, pieces, whole, names=None):
+        self.pieces, self.whole, self.names = [piece for piece in pieces if piece.GetNumberOfCells() > 0], whole, names
+
+
 def data_at(asked, time):
-    """The time of the frame nearest to a time, and {name: data as it stands} of the data sets asked for."""
-    there = {}
+    """The time of the frame nearest to a time, and {name: Part} of the data sets asked for."""
+    there, body = {}, None
     for name in DATA_SETS:
         if name not in asked.show:
             continue
@@ -453,26 +590,52 @@ def data_at(asked, time):
             continue
         if name != "walls":
             time = at  # contact at the moment of the body
-        there[name] = moved(data, asked.warp)
+        if name == "body":
+            body = Shown(data, asked)
+            there[name] = shown_bodies(data, body, asked)
+        elif name == "contact":
+            there[name] = shown_contact(data, body, asked)
+        else:
+            there[name] = Part([moved(data, asked.warp)], data)
     return time, there
 
 
-def check_bounds(bounds, asked):
-    if not bounds.IsValid():
-        sys.exit(f"view.py: nothing to draw in {asked.folder}")
+class Shown:
+    """Which bodies of a frame are drawn: {name: number}; and its cells that are drawn whole and that are cut."""
+
+    def __init__(self, data, asked):
+        import numpy as np
+        of_cells, names = named(data)
+        self.names = {name: number for name, number in names.items() if name not in asked.hide and (not asked.only or name in asked.only)}
+        cut = [number for name, number in self.names.items() if asked.cut is not None and (not asked.cut or name in asked.cut)]
+        self.is_cut = np.isin(of_cells, cut)
+        self.is_whole = np.isin(of_cells, list(self.names.values())) & ~self.is_cut
+        self.on_whole, self.on_cut = places_of(data, self.is_whole), places_of(data, self.is_cut)
 
 
-def add_bounds(bounds, there):
-    """Adds the bodies to a box, and walls only where there is nothing else."""
-    for name, data in there.items():
-        if name != "walls" or not bounds.IsValid():
-            bounds.AddBounds(data.GetBounds())
+def shown_bodies(data, body, asked):
+    now = moved(data, asked.warp)
+    pieces = [with_cells(now, body.is_whole), half(with_cells(now, body.is_cut), asked.cut_at)]
+    return Part(pieces, with_cells(now, body.is_whole | body.is_cut), body.names)
 
 
-def box_of(bounds):
-    box = [0.0] * 6
-    bounds.GetBounds(box)
-    return box
+def shown_contact(data, body, asked):
+    """Contact elements at bodies that are drawn; at those that are cut, in the half that stays."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    now = moved(data, asked.warp)
+    if 2 * data.GetNumberOfPoints() != POINTS_OF_ELEMENT * data.GetNumberOfCells():  # of another program
+        return Part([now], data)
+    stays = (elements_of(now)[:, :, 1] >= asked.cut_at).all(axis=1)
+    if body is None:
+        kept = stays if asked.cut is not None else np.full(len(stays), True)
+    else:
+        kept = touching(data, body.on_whole) | stays & touching(data, body.on_cut)
+    kept = np.tile(kept, 2)  # all lines come before all facets, each in the order of the elements
+    status = data.GetCellData().GetArray("contact_status")
+    if status is not None and not asked.open:
+        kept &= vtk_to_numpy(status) == CLOSED
+    return Part([with_cells(now, kept)], data)
 
 
 def joined(limits, data, field, component):
@@ -483,12 +646,12 @@ def joined(limits, data, field, component):
     return (min(low, limits[0]), max(high, limits[1])) if limits else (low, high)
 
 
-def draw(asked, time, there, box, out):
-    """Writes a picture of what is there, with the camera aimed at a box."""
+def draw(asked, time, there, points, out):
+    """Writes a picture of what is there, with the camera aimed at points."""
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    for name, data in there.items():
-        {"body": add_body, "contact": add_contact, "walls": add_walls}[name](renderer, data, asked)
+    for name, one in there.items():
+        {"body": add_body, "contact": add_contact, "walls": add_walls}[name](renderer, one, asked)
     if time is not None:
         add_time(renderer, time)
     window = vtk.vtkRenderWindow()
@@ -496,7 +659,7 @@ def draw(asked, time, there, box, out):
     window.SetMultiSamples(4)
     window.SetSize(*asked.size)
     window.AddRenderer(renderer)
-    aim(renderer, box, asked)
+    aim(renderer, points, asked)
     window.Render()
     shot = vtk.vtkWindowToImageFilter()
     shot.SetInput(window)
@@ -509,21 +672,30 @@ def draw(asked, time, there, box, out):
 
 def draw_frames(asked):
     """A picture of each frame, with one camera and one range of colours for all."""
+    import numpy as np
     names = [name for name in DATA_SETS if name in asked.show]
     times = next(times for times in ([time for time, _ in listed(asked.folder, name)] for name in names) if times)
-    bounds, limits, of_contact = vtk.vtkBoundingBox(), None, None
+    points, limits, of_contact = [], None, None
     for time in times:
         _, there = data_at(asked, time)
-        add_bounds(bounds, there)
+        points.append(outline(there, asked))
         if "body" in there:
-            limits = joined(limits, there["body"], chosen(there["body"], asked.field, PREFERRED["body"]), asked.component)
+            whole = there["body"].whole
+            limits = joined(limits, whole, chosen(whole, asked.field, PREFERRED["body"]), asked.component)
         if "contact" in there and asked.contact_field:
-            of_contact = joined(of_contact, there["contact"], asked.contact_field, None)
-    check_bounds(bounds, asked)
+            of_contact = joined(of_contact, there["contact"].whole, asked.contact_field, None)
+    points = something(np.concatenate(points), asked)
     asked.range, asked.contact_range = asked.range or limits, of_contact
     for number, time in enumerate(times):
-        draw(asked, *data_at(asked, time), box_of(bounds), asked.frames / f"frame_{number:04d}.png")
+        draw(asked, *data_at(asked, time), points, asked.frames / f"frame_{number:04d}.png")
     print(f"{asked.frames}: {len(times)} frames")
+
+
+def something(points, asked):
+    """The same points; without any, the script ends."""
+    if not len(points):
+        sys.exit(f"view.py: nothing to draw in {asked.folder}: no part of a body lies in what is asked for")
+    return points
 
 
 def main():
@@ -536,10 +708,7 @@ def main():
         draw_frames(asked)
         return
     time, there = data_at(asked, asked.time)
-    bounds = vtk.vtkBoundingBox()
-    add_bounds(bounds, there)
-    check_bounds(bounds, asked)
-    draw(asked, time, there, box_of(bounds), asked.out)
+    draw(asked, time, there, something(outline(there, asked), asked), asked.out)
     print(asked.out)
 
 

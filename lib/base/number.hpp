@@ -71,6 +71,33 @@ NEREID_HOT Pack power_of(const Pack& a, double n) {
   return Pack([&](auto lane) { return std::pow(a[static_cast<std::size_t>(lane)], n); });
 }
 
+/// A function of two numbers at a point, with its slopes.
+struct Tangent {
+  double value, by_first, by_second;
+};
+/// The same over a number type.
+template <class T>
+struct TangentOf {
+  T value, by_first, by_second;
+};
+/// A function of two numbers that is no formula of packs, as a measured curve: lane by lane.
+///
+/// function  Tangent(double, double)
+template <class F>
+NEREID_HOT TangentOf<double> at_each_lane(const F& function, double a, double b) {
+  const Tangent at = function(a, b);
+  return {at.value, at.by_first, at.by_second};
+}
+template <class F>
+NEREID_HOT TangentOf<Pack> at_each_lane(const F& function, const Pack& a, const Pack& b) {
+  TangentOf<Pack> all{Pack(0.0), Pack(0.0), Pack(0.0)};
+  for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
+    const Tangent at = function(static_cast<double>(a[lane]), static_cast<double>(b[lane]));
+    all.value[lane] = at.value, all.by_first[lane] = at.by_first, all.by_second[lane] = at.by_second;
+  }
+  return all;
+}
+
 /// The larger and the smaller of two, by select, so that every number type has them.
 template <class T>
 NEREID_HOT T larger(T a, T b) {

@@ -286,9 +286,9 @@ void visit(Archive& archive, Kept& kept) {
 
 template <class Archive>
 void visit(Archive& archive, ProbeMemory& memory) {
-  auto& [last, largest, smallest, time_of_largest, time_of_smallest, largest_row, smallest_row, integral, first_above_zero,
+  auto& [last, now, largest, smallest, time_of_largest, time_of_smallest, largest_row, smallest_row, integral, first_above_zero,
          last_above_zero, samples, of_steps, of_rows] = memory;
-  archive(last, largest, smallest, time_of_largest, time_of_smallest, largest_row, smallest_row, integral, first_above_zero,
+  archive(last, now, largest, smallest, time_of_largest, time_of_smallest, largest_row, smallest_row, integral, first_above_zero,
           last_above_zero, samples, of_steps, of_rows);
 }
 

@@ -151,6 +151,16 @@ double of_body(const View& view, const std::vector<std::size_t>& blocks, const e
   return take == Take::largest ? all.largest : all.sum / all.mass;
 }
 
+double of_elements(const View& view, const PickedElements& elements, const element::Shown& shown, int component, Take take) {
+  element::Reduced all;
+  for (std::size_t i = 0; i < elements.blocks.size(); ++i) {
+    const std::size_t b = elements.blocks[i];
+    add(element::reduce(view.model.blocks[b], view.model.mesh.X, view.now.x, view.now.blocks[b], shown, component, elements.picked[i]),
+        all);
+  }
+  return take == Take::largest ? all.largest : all.sum / all.mass;
+}
+
 double area_across(const View& view, std::size_t c, Index apex, const Vec3& force) {
   const auto& interface = std::get<contact::Interface>(view.model.contacts[c]);
   if (interface.faces.begin.empty()) return interface.area(apex);
@@ -247,6 +257,14 @@ Vec3 growth(const Vec3& impulse, const Vec3& first, double t, Kept& kept) {
 
 }  // namespace
 
+Vec3 mean_acceleration(const View& view, const Subset& nodes, Kept& kept) {
+  double mass = 0;
+  const auto whole = whole_bodies(view, nodes, [&](const rigid::Body& body, const rigid::State&) { mass += body.mass.mass; });
+  for (const Index node : nodes) mass += mass_at(view, node, whole);
+  const Vec3 velocity = momentum(view, nodes) / mass;
+  return growth(velocity, velocity, view.now.t, kept);
+}
+
 Vec3 mean_contact_force(const View& view, const std::vector<std::size_t>& passes, Kept& kept) {
   Vec3 impulse = Vec3::Zero();
   for (const std::size_t pass : passes)
@@ -265,23 +283,50 @@ Vec3 mean_section_force(const View& view, std::size_t section, Kept& kept) {
   return growth(view.now.sections[section].impulse, Vec3::Zero(), view.now.t, kept);
 }
 
-std::vector<Touched> touched(const Model& model, const State& now) {
-  std::vector<Touched> all;
-  std::string contact;  // whose passes and edges follow it
+namespace {
+
+/// Calls visit(contact, names of both sides, record, sign of its impulse) for each record of a pair. Passes and edges belong to their
+/// contact.
+template <class Visit>
+void each_pair_record(const Model& model, const State& now, Visit&& visit) {
+  std::string_view contact;
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const contact::Sides& both = contact::sides(model.contacts[c]);
     if (!contact::follows(model.contacts[c])) contact = both.name;
-    for (const contact::PairRecord& one : contact::sides(now.contacts[c]).pair_records) {
-      const auto& names = both.bodies.names;
-      const std::array<std::string, 2> sides =
-          names.empty() ? std::array<std::string, 2>{"apexes", "base"}
-                        : std::array<std::string, 2>{names[static_cast<std::size_t>(one.one)], names[static_cast<std::size_t>(one.other)]};
-      auto at = std::find_if(all.begin(), all.end(), [&](const Touched& t) { return t.contact == contact && t.sides == sides; });
-      if (at == all.end()) at = all.insert(all.end(), {contact, sides, one.first, one.last, Vec3::Zero()});
-      at->first = std::min(at->first, one.first), at->last = std::max(at->last, one.last);
-      at->impulse += contact::side_of(model.contacts[c]) * one.impulse;
-    }
+    const auto& names = both.bodies.names;
+    const auto name = [&](Index side, std::string_view without) -> std::string_view {
+      return names.empty() ? without : std::string_view(names[static_cast<std::size_t>(side)]);
+    };
+    for (const contact::PairRecord& one : contact::sides(now.contacts[c]).pair_records)
+      visit(contact, std::array{name(one.one, "apexes"), name(one.other, "base")}, one, contact::side_of(model.contacts[c]));
   }
+}
+
+}  // namespace
+
+Vec3 pair_impulse(const View& view, const std::string& contact, const std::string& one, const std::string& other) {
+  Vec3 sum = Vec3::Zero();
+  each_pair_record(view.model, view.now, [&](std::string_view of, const auto& sides, const contact::PairRecord& record, double sign) {
+    if (of != contact) return;
+    if (sides[0] == one && sides[1] == other) sum += sign * record.impulse;
+    if (sides[0] == other && sides[1] == one) sum -= sign * record.impulse;
+  });
+  return sum;
+}
+
+Vec3 mean_pair_force(const View& view, const std::string& contact, const std::string& one, const std::string& other, Kept& kept) {
+  return growth(pair_impulse(view, contact, one, other), Vec3::Zero(), view.now.t, kept);
+}
+
+std::vector<Touched> touched(const Model& model, const State& now) {
+  std::vector<Touched> all;
+  each_pair_record(model, now, [&](std::string_view contact, const auto& names, const contact::PairRecord& one, double sign) {
+    const std::array<std::string, 2> sides{std::string(names[0]), std::string(names[1])};
+    auto at = std::find_if(all.begin(), all.end(), [&](const Touched& t) { return t.contact == contact && t.sides == sides; });
+    if (at == all.end()) at = all.insert(all.end(), {std::string(contact), sides, one.first, one.last, Vec3::Zero()});
+    at->first = std::min(at->first, one.first), at->last = std::max(at->last, one.last);
+    at->impulse += sign * one.impulse;
+  });
   return all;
 }
 

@@ -23,6 +23,10 @@ Vec3 momentum(const View&, const Subset& nodes);          ///< [kg m/s]
 Vec3 angular_momentum(const View&, const Subset& nodes);  ///< [kg m2/s] about the origin
 double kinetic_energy(const View&, const Subset& nodes);  ///< [J] with that of turning
 
+/// Acceleration of the centre of mass of a node set: what its velocity changed by since the last look, over that time; zero at the
+/// first. Of one node that of the node, of a whole rigid body that of its centre. [m/s2]
+Vec3 mean_acceleration(const View&, const Subset& nodes, Kept&);
+
 /// A surface of a fluid on which waves go.
 struct FreeSurface {
   Table<3> facets;
@@ -53,6 +57,14 @@ enum class Take {
 /// returns    in the unit of the field
 /// Throws InternalError if the elements show no such thing.
 double of_body(const View&, const std::vector<std::size_t>& blocks, const element::Shown&, int component, Take);
+
+/// Some elements of a body.
+struct PickedElements {
+  std::vector<std::size_t> blocks;
+  std::vector<element::Picked> picked;  ///< beside them
+};
+/// The same of some elements.
+double of_elements(const View&, const PickedElements&, const element::Shown&, int component, Take);
 
 /// Force of an interface on all its apexes, with friction, as a mean over the time between two looks. [N]
 ///
@@ -99,6 +111,14 @@ Vec3 mean_force(const View&, std::size_t source, Kept&);
 
 /// Force of a section on what is ahead of it, as a mean over the time between two looks. [N]
 Vec3 mean_section_force(const View&, std::size_t section, Kept&);
+
+/// Force of one body on another in an automatic contact, as mean_contact_force. [N]
+///
+/// contact        its name
+/// one, other     bodies: the force is that on `one`
+Vec3 mean_pair_force(const View&, const std::string& contact, const std::string& one, const std::string& other, Kept&);
+/// Its impulse since the start. [N s]
+Vec3 pair_impulse(const View&, const std::string& contact, const std::string& one, const std::string& other);
 
 /// A contact whose sides have touched, or two bodies in an automatic one.
 struct Touched {

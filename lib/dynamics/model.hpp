@@ -112,6 +112,7 @@ struct Kept {
 /// What a probe remembers: its value over the steps of a run, and what its measurement needs from one to the next.
 struct ProbeMemory {
   double last = std::numeric_limits<double>::quiet_NaN();  ///< what a row shows
+  double now = last;                                       ///< at the last step
   double largest = last, smallest = last;                  ///< of all steps; NaN where no step had a value
   double time_of_largest = 0, time_of_smallest = 0;        ///< [s] first of equal ones
   double largest_row = last, smallest_row = last;          ///< of a mean: of all rows

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "dynamics/model.hpp"
 
@@ -24,13 +25,17 @@ struct Probe {
   std::function<double(const View&, Kept&)> value;
   bool is_mean = false;  ///< over the time since the look before, as a force from its impulse; else the value at the look
   FollowsMesh follows_mesh = FollowsMesh::no;
+  std::vector<std::size_t> inputs = {};  ///< of a formula: places of the probes that it takes, all before it
+  std::function<double(const std::vector<double>& inputs, double t)> formula = {};  ///< in the place of `value`
   int footing = -1;      ///< in State::footings: of the contact or rigid plane whose force it is; -1: it is none
 };
 
 /// Measures the start or a step: extremes with their times, the integral and the times above zero; `last` of what is no mean.
-void sample(const Probe&, const View&, ProbeMemory&);
+///
+/// memories  of all probes of the run: those before this one have been sampled
+void sample(const Probe&, const View&, const std::vector<ProbeMemory>& memories, ProbeMemory&);
 
 /// `last` of a mean, that since the row before, and its extremes over the rows. To be called where the ledger is current.
-void sample_row(const Probe&, const View&, ProbeMemory&);
+void sample_row(const Probe&, const View&, const std::vector<ProbeMemory>& memories, ProbeMemory&);
 
 }  // namespace nereid::dynamics

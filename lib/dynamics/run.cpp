@@ -67,7 +67,7 @@ bool stop(const Model& model, const State& now, const Step& next, const Time& ti
   const double end = time.end;
   if (std::isinf(now.ledger.initial_kinetic)) {
     outcome.ending = Ending::not_finite;
-    outcome.reason = "the kinetic energy that it is given is no finite number";
+    outcome.reason = "the kinetic energy of the given velocities is no finite number";
     return true;
   }
   if (!(limits.volume_ratio > 0)) {
@@ -137,7 +137,7 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
                                   [&](const contact::AnyContact& one) { return joins(one, surfaces, most); });
   const double open = audit::unsure(most.worst);
   outcome.reason = in_words(surfaces, most) + (most.at_start > 0 ? formatted(", %.3g m of it at the start", most.at_start) : "") +
-                   (open > 0 ? formatted(", %.3g m of it within what bent faces leave open", open) : "") +
+                   (open > 0 ? formatted(", %.3g m of it within the gap that bent faces leave", open) : "") +
                    (joined ? "" : ", without a contact between them") + formatted("; the limit is %.3g of an element", limit);
   outcome.block = surfaces.names[static_cast<std::size_t>(most.worst.region[0])];
   return true;
@@ -147,10 +147,10 @@ bool overlap_too_much(const Model& model, const State& now, const Forces& forces
 std::string unrest(const Relaxation& wanted, const RelaxationMemory& found, double t) {
   if (found.residual > wanted.residual) return formatted("the residual is %.3g; the limit is %.3g", found.residual, wanted.residual);
   if (const double moving = found.kinetic / found.most_kinetic; moving > wanted.residual)
-    return formatted("the forces balance, but it moves, with %.3g of its largest kinetic energy; the limit is %.3g", moving,
+    return formatted("the forces balance, but the kinetic energy is %.3g of its largest value; the limit is %.3g", moving,
                      wanted.residual);
   if (t < wanted.after) return formatted("it ended before 'after' = %.3g s", wanted.after);
-  return formatted("it was balanced for %d samples in a row; %d are wanted", found.balanced, wanted.samples);
+  return formatted("the forces balanced in %d samples in a row; %d are required", found.balanced, wanted.samples);
 }
 
 /// Stops the run where a corner of an element has inverted.
@@ -217,8 +217,8 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
   const auto show = [&](bool again = false) {
     const View view{model, now, forces, progress.ledger_is_current};
     for (std::size_t p = 0; p < watch.probes.size(); ++p) {
-      if (!again) sample(watch.probes[p], view, now.probes[p]);
-      if (view.ledger_is_current) sample_row(watch.probes[p], view, now.probes[p]);
+      if (!again) sample(watch.probes[p], view, now.probes, now.probes[p]);
+      if (view.ledger_is_current) sample_row(watch.probes[p], view, now.probes, now.probes[p]);
     }
     for (const Observer& observer : watch.observers) observer(view);
   };

@@ -38,12 +38,16 @@ std::vector<Channel> those_of(const std::array<Channel, count>& channels, const 
 }  // namespace
 
 AnyBlock solids(const mesh::Mesh& mesh, const std::string& region, const AnyLaw& law, const AnyHexahedronOptions& any) {
-  const Connectivity nodes = mesh::hexahedra(mesh, region).nodes;
+  return solids(mesh, region, Connectivity(mesh::hexahedra(mesh, region).nodes), law, any);
+}
+
+AnyBlock solids(const mesh::Mesh& mesh, const std::string& name, const Connectivity& nodes, const AnyLaw& law,
+                const AnyHexahedronOptions& any) {
   return std::visit(
       [&]<class Options>(const Options& options) {
         using Solid = std::conditional_t<std::is_same_v<Options, Hexahedron::Options>, Hexahedron, FullHexahedron>;
         using Kind = std::conditional_t<std::is_same_v<Options, Fluid::Options>, Fluid, Solid>;
-        return make<Kind>(mesh, region, nodes, law, options);
+        return make<Kind>(mesh, name, nodes, law, options);
       },
       any);
 }
@@ -54,7 +58,12 @@ AnyBlock hexahedra(const mesh::Mesh& mesh, const std::string& region, const AnyL
 }
 
 AnyBlock plates(const mesh::Mesh& mesh, const std::string& region, const AnyLaw& law, const Plate::Options& options) {
-  return make<Plate>(mesh, region, mesh::triangles(mesh, region).nodes, law, options);
+  return plates(mesh, region, Connectivity(mesh::triangles(mesh, region).nodes), law, options);
+}
+
+AnyBlock plates(const mesh::Mesh& mesh, const std::string& name, const Connectivity& nodes, const AnyLaw& law,
+                const Plate::Options& options) {
+  return make<Plate>(mesh, name, nodes, law, options);
 }
 
 const std::string& name(const AnyBlock& any) {
@@ -224,6 +233,25 @@ BlockLimit advance(const AnyBlock& any, const Vectors& x, const Vectors& dx, con
 
 Reduced reduce(const AnyBlock& any, const Vectors& X, const Vectors& x, const Memory& memory, const Shown& shown, int component) {
   return with_kernels(any, [&](const auto& block, auto kernels) { return kernels.reduce(block, X, x, memory, shown, component); });
+}
+
+Picked pick(const AnyBlock& any, const std::vector<Index>& elements) {
+  const Tiling& cut = tiling(any);
+  std::vector<std::size_t> place(static_cast<std::size_t>(cut.elements));
+  for (std::size_t at = 0; at < cut.element.size(); ++at)
+    if (static_cast<int>(at % lanes) < cut.filled[at / lanes]) place[static_cast<std::size_t>(cut.element[at])] = at;
+  const Scalars mass = element_masses(any);
+  Picked picked;
+  for (const Index element : elements)
+    picked.place.push_back(place[static_cast<std::size_t>(element)]), picked.mass.push_back(mass(element));
+  return picked;
+}
+
+Reduced reduce(const AnyBlock& any, const Vectors& X, const Vectors& x, const Memory& memory, const Shown& shown, int component,
+               const Picked& picked) {
+  return with_kernels(any, [&](const auto& block, auto kernels) {
+    return kernels.reduce_picked(block, X, x, memory, shown, component, picked);
+  });
 }
 
 std::vector<Field> fields(const AnyBlock& any, const Vectors& X, const Vectors& x, const Memory& memory, const Wanted& wanted) {

@@ -144,6 +144,9 @@ AnyBlock solids(const mesh::Mesh&, const std::string& region, const AnyLaw&, con
 AnyBlock hexahedra(const mesh::Mesh&, const std::string& region, const AnyLaw&, const Hexahedron::Options&);
 /// Throws InternalError for a law that plates may not have: readers refuse it.
 AnyBlock plates(const mesh::Mesh&, const std::string& region, const AnyLaw&, const Plate::Options&);
+/// The same of some elements of a region, with a name of their own.
+AnyBlock solids(const mesh::Mesh&, const std::string& name, const Connectivity& nodes, const AnyLaw&, const AnyHexahedronOptions&);
+AnyBlock plates(const mesh::Mesh&, const std::string& name, const Connectivity& nodes, const AnyLaw&, const Plate::Options&);
 
 const std::string& name(const AnyBlock&);
 const Connectivity& nodes(const AnyBlock&);
@@ -219,6 +222,17 @@ inline void add(const Reduced& part, Reduced& all) {
 /// X, x  [m] positions in the reference and now
 /// component  row of the field
 Reduced reduce(const AnyBlock&, const Vectors& X, const Vectors& x, const Memory&, const Shown&, int component);
+
+/// Some elements of a block.
+struct Picked {
+  std::vector<std::size_t> place;  ///< in the packs of the block: pack * lanes + lane
+  std::vector<double> mass;        ///< [kg] beside them
+};
+/// elements  of the block, ascending
+Picked pick(const AnyBlock&, const std::vector<Index>& elements);
+
+/// The same of some of its elements.
+Reduced reduce(const AnyBlock&, const Vectors& X, const Vectors& x, const Memory&, const Shown&, int component, const Picked&);
 
 /// What the elements show of what is wanted: stress [Pa], von_mises [Pa], pressure [Pa] (positive in compression), the law's internal
 /// scalars, logarithmic strain [-], and thickness [m] of plates whose thickness follows their strain. Tensors are in the global frame.

@@ -21,6 +21,8 @@ struct Kernels {
   static Pressed pressed(const Block<Kind, Law>&, const Memory&);
   static std::vector<Held> held(const Block<Kind, Law>&, const Vectors& x, const Memory&);
   static Reduced reduce(const Block<Kind, Law>&, const Vectors& X, const Vectors& x, const Memory&, const Shown&, int component);
+  static Reduced reduce_picked(const Block<Kind, Law>&, const Vectors& X, const Vectors& x, const Memory&, const Shown&, int component,
+                               const Picked&);
   static std::vector<Field> fields(const Block<Kind, Law>&, const Vectors& X, const Vectors& x, const Memory&, const Wanted&);
 };
 

@@ -602,11 +602,28 @@ Reduced Kernels<Kind, Law>::reduce(const Block<Kind, Law>& block, const Vectors&
 }
 
 template <class Kind, class Law>
+Reduced Kernels<Kind, Law>::reduce_picked(const Block<Kind, Law>& block, const Vectors& X, const Vectors& x, const Memory& memory,
+                                          const Shown& shown, int component, const Picked& picked) {
+  const Number which = number_of<Law>(shown.quantity, component);
+  Reduced all;
+  for (std::size_t i = 0; i < picked.place.size(); ++i) {
+    const std::size_t pack = picked.place[i] / lanes;
+    const int lane = static_cast<int>(picked.place[i] % lanes);
+    const Index element = block.tiling.element[picked.place[i]];
+    const double value = value_of(output_of(read_memory(block, memory, pack, lane), block, corners_of(block, X, element),
+                                            corners_of(block, x, element), shown.place, which.kind == Number::Kind::strain),
+                                  which);
+    add({value, picked.mass[i] * value, picked.mass[i]}, all);
+  }
+  return all;
+}
+
+template <class Kind, class Law>
 constexpr auto kernels_of() {
   if constexpr (may_have<Kind, Law>) {
     using K = Kernels<Kind, Law>;
     return std::tuple(&K::make, &K::add_mass, &K::element_masses, &K::add_rotary_inertia, &K::initial_memory, &K::advance, &K::thinned,
-                      &K::pressed, &K::held, &K::reduce, &K::fields);
+                      &K::pressed, &K::held, &K::reduce, &K::reduce_picked, &K::fields);
   } else {
     return std::tuple();
   }

@@ -11,6 +11,7 @@
 #include "element/shown.hpp"
 #include "element/viscosity.hpp"
 #include "material/j2_mixed.hpp"
+#include "material/j2_search.hpp"
 
 namespace nereid::element {
 
@@ -205,14 +206,24 @@ struct AtPlace {
   material::Internal<double, Law, Plane> internal;
 };
 
-/// Draws a stress back to the yield surface along its line to the centre of that surface; laws without a yield stress keep it.
+/// By what factor the strain rate lifts the stress of a layer above its yield stress; 1 of laws that do not depend on the rate.
 template <class Law>
-void limit_by_yield(const Law& law, AtPlace<Law>& at) {
+double overstress(const Law& law, const Plane<double>& stress, const material::Internal<double, Law, Plane>& internal) {
+  if constexpr (requires { requires material::SearchedFlow<decltype(law.flow)>; })
+    return std::max(1.0, material::von_mises(stress) / yield_stress(law, internal.scalar));
+  else return 1.0;
+}
+
+/// Draws a stress back to the yield surface along its line to the centre of that surface; laws without a yield stress keep it.
+///
+/// over  [-] factor of the yield stress
+template <class Law>
+void limit_by_yield(const Law& law, double over, AtPlace<Law>& at) {
   if constexpr (requires { yield_stress(law, at.internal.scalar); }) {
     Plane<double> centre{0, 0, 0};
     if constexpr (Law::tensors.size() > 0) centre = material::surface_centre(at.internal.tensor[0]);
     const Plane<double> shifted = at.stress - centre;
-    const double yield = yield_stress(law, at.internal.scalar), mises = material::von_mises(shifted);
+    const double yield = over * yield_stress(law, at.internal.scalar), mises = material::von_mises(shifted);
     if (mises > yield) at.stress = centre + (yield / mises) * shifted;
   }
 }
@@ -220,8 +231,8 @@ void limit_by_yield(const Law& law, AtPlace<Law>& at) {
 /// Stress and internal variables of a plate at a place, from its layers.
 ///
 /// The top and the bottom lie on the straight line through the two outermost layers, the middle on that through the two beside it; a single
-/// layer stands for all. Internal scalars are no less than those of the start, and the stress is limited by the yield stress at them.
-/// The membrane is the mean through the thickness.
+/// layer stands for all. Internal scalars are no less than those of the start, and the stress is limited by the yield stress at them,
+/// with the rate of those layers. The membrane is the mean through the thickness.
 template <class Law>
 AtPlace<Law> at_place(const Law& law, const Layers& layers, const Plate::Memory<double, Law>& memory, Place place) {
   AtPlace<Law> sum{};
@@ -242,7 +253,9 @@ AtPlace<Law> at_place(const Law& law, const Layers& layers, const Plate::Memory<
   add(upper - 1, 1 - weight), add(upper, weight);
   const auto start = material::fresh<double, Plane>(law).scalar;
   for (std::size_t i = 0; i < start.size(); ++i) sum.internal.scalar[i] = std::max(sum.internal.scalar[i], start[i]);
-  limit_by_yield(law, sum);
+  double over = 1;
+  for (const int l : {upper - 1, upper}) over = std::max(over, overstress(law, memory.layers[l].stress, memory.layers[l].internal));
+  limit_by_yield(law, over, sum);
   return sum;
 }
 

@@ -222,18 +222,23 @@ std::string frame_text(const Grid& grid, GridKind kind, Precision precision, Kep
   lost.reserve(lost.size() + 2 + grid.point_fields.size() + grid.cell_fields.size());
   Lost& of_points = lost.emplace_back(Lost{"points"});
   Lost& of_displacement = lost.emplace_back(Lost{"displacement"});
-  std::vector<std::string> units{"displacement [m]"};
-  for (const auto* fields : {&grid.point_fields, &grid.cell_fields})
-    for (const Field& field : *fields) units.push_back(field.name + " [" + field.unit + "]");
   file.tag(data);
   file.begin("FieldData");
   const std::string one_tuple = " NumberOfTuples=\"1\"";
   file.array("TimeValue", {}, 1, std::vector<double>{grid.time}, false, one_tuple);  // so that a file is useful without its .pvd
-  // units as names of the components of one array of numbers: some readers know no arrays of texts
-  file.array("units", units, units.size(), std::vector<float>(units.size(), 1), true, one_tuple);
+  file.array(deformed_mark, {}, 1, std::vector<std::int32_t>{1}, true, one_tuple);
+  // units and names as names of arrays of numbers: some readers know no arrays of texts, and none loses the name of an array
+  const auto add_unit = [&](const std::string& name, const std::string& unit) {
+    file.array(name + " [" + unit + "]", {}, 1, std::vector<float>{1}, true, one_tuple);
+  };
+  add_unit("displacement", "m");
+  for (const auto* fields : {&grid.point_fields, &grid.cell_fields})
+    for (const Field& field : *fields) add_unit(field.name, field.unit);
+  for (const GroupName& group : grid.names)
+    file.array(group.name, {}, 1, std::vector<std::int32_t>{group.number, group.dimension}, true, " NumberOfTuples=\"2\"");
   file.tag("/FieldData");
   file.tag(piece(grid, kind));
-  file.begin("PointData", " Vectors=\"displacement\"");  // what Warp By Vector picks
+  file.begin("PointData", " Vectors=\"displacement\"");  // what Warp By Vector picks, to magnify it
   file.array("displacement", vector_components, 3, numbers_of<double>(grid.displacement, of_displacement));
   for (const Field& field : grid.point_fields) add_field(field, precision, lost, file);
   file.tag("/PointData");
@@ -241,7 +246,7 @@ std::string frame_text(const Grid& grid, GridKind kind, Precision precision, Kep
   for (const Field& field : grid.cell_fields) add_field(field, precision, lost, file);
   file.tag("/CellData");
   file.begin("Points");
-  file.array("points", vector_components, 3, numbers_of<double>(grid.reference, of_points), true);
+  file.array("points", vector_components, 3, numbers_of<double>(Vectors(grid.reference + grid.displacement), of_points));
   file.tag("/Points");
   if (kind == GridKind::volume) {
     std::vector<unsigned char> types;

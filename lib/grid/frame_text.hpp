@@ -16,7 +16,10 @@ struct Lost {
   std::int64_t no_number = 0, beyond_float = 0;
 };
 
-/// The file of one frame. Points, cells and whole numbers that are those of the frame before are taken from there as they were packed.
+/// The array of the whole file that says that its points are those at the start plus the displacement.
+inline constexpr const char* deformed_mark = "points_are_deformed";
+
+/// The file of one frame. Cells and whole numbers that are those of the frame before are taken from there as they were packed.
 ///
 /// kept  of the frame before; then of this one
 /// lost  by field, in the order written

@@ -28,11 +28,18 @@ struct Cells {
   Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> nodes;  ///< [nodes per cell x cells]
 };
 
-/// What one frame shows. Points stand where they were at the start; ParaView moves them.
+/// What the number of a group of cells is called, as gmsh has it.
+struct GroupName {
+  std::string name;
+  int number, dimension;  ///< 3 of solids, 2 of plates
+};
+
+/// What one frame shows. In the file points stand where they are now, with the displacement that brought them there.
 struct Grid {
   double time = 0;           ///< [s]
-  Vectors reference;         ///< [m] points
+  Vectors reference;         ///< [m] points at the start
   Vectors displacement;      ///< [m]
+  std::vector<GroupName> names = {};  ///< of the numbers in a cell field
   std::vector<Cells> cells;  ///< cell fields are counted in this order
   std::vector<Field> point_fields, cell_fields;
 };

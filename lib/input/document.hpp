@@ -12,6 +12,7 @@
 #include "base/resolved.hpp"
 #include "input/preset.hpp"
 #include "input/section.hpp"
+#include "input/survey.hpp"
 #include "input/yaml.hpp"
 
 namespace nereid::input {
@@ -50,6 +51,7 @@ class Document {
     Place place;
   };
 
+  std::shared_ptr<Survey> survey;   // null: a case is read
   const Preset* preset = nullptr;   // of `accuracy`
   Place preset_place;
   double refine = 1;                // what counts of cells were multiplied by

@@ -48,16 +48,23 @@ std::vector<std::pair<std::string, std::size_t>> named_tables(const std::string&
   return names;
 }
 
-/// Reads the table of a name, as in "slug.csv" or "slug.csv:pressure"; what is wrong with it.
-std::string read_table(const std::string& name, Variables variables, const InUnit& unit, const ReadFile& read,
-                       std::map<std::string, Table>& tables) {
+/// The file of a name such as "slug.csv" or "slug.csv:pressure", and its table, or what is wrong with it.
+std::pair<std::string, std::variant<Table, std::string>> named_table(const std::string& name, const ReadFile& read) {
   const std::size_t colon = name.rfind(':');
   const std::string file = name.substr(0, colon), column = colon == std::string::npos ? "" : name.substr(colon + 1);
   std::string why = "tables cannot be read here";
   const std::optional<std::string> bytes = read ? read(file, why) : std::nullopt;
-  if (!bytes) return quote(file) + ": " + why;
-  const auto parsed = parse_table(*bytes, column);
-  if (const auto* wrong = std::get_if<std::string>(&parsed)) return quote(file) + ": " + *wrong;
+  if (!bytes) return {file, quote(file) + ": " + why};
+  auto parsed = parse_table(*bytes, column);
+  if (const auto* wrong = std::get_if<std::string>(&parsed)) return {file, quote(file) + ": " + *wrong};
+  return {file, std::move(parsed)};
+}
+
+/// Reads the table of a name into those that an expression uses; what is wrong with it.
+std::string read_table(const std::string& name, Variables variables, const InUnit& unit, const ReadFile& read,
+                       std::map<std::string, Table>& tables) {
+  const auto [file, parsed] = named_table(name, read);
+  if (const auto* wrong = std::get_if<std::string>(&parsed)) return *wrong;
   const Table& table = std::get<Table>(parsed);
   const bool of_time = variables.time && table.of_argument == dim::time, of_place = variables.place && table.of_argument == dim::length;
   const bool of_volume = variables.volume && table.of_argument == dim::volume;
@@ -88,7 +95,7 @@ std::optional<TextFault> find_assignment(const std::string& text) {
 }
 
 /// The fault of the parser, in our words where the variables are concerned.
-TextFault fault_of(const mu::Parser::exception_type& error, const std::string& text, Variables variables) {
+TextFault fault_of(const mu::Parser::exception_type& error, const std::string& text, const std::string& variables) {
   const auto length = static_cast<int>(text.size());
   const std::string token = error.GetToken();
   int column = std::min(std::max(error.GetPos(), 0), length) + 1;
@@ -97,7 +104,7 @@ TextFault fault_of(const mu::Parser::exception_type& error, const std::string& t
   if (found != std::string::npos) column = static_cast<int>(found) + 1;
   const int extent = std::max(1, std::min(static_cast<int>(token.size()), length - column + 1));
   if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-    return {column, extent, "'" + token + "' is unknown: expected " + allowed(variables) + ", or a function such as sin, min, exp"};
+    return {column, extent, "'" + token + "' is unknown: expected " + variables + ", or a function such as sin, min, exp"};
   std::string message = error.GetMsg();
   while (!message.empty() && (message.back() == '.' || message.back() == '\n')) message.pop_back();
   if (!message.empty() && message[0] >= 'A' && message[0] <= 'Z') message[0] = static_cast<char>(message[0] - 'A' + 'a');
@@ -131,7 +138,7 @@ std::variant<Expression, TextFault> parse_expression(const std::string& text, Va
     bound->parser.Eval(values);
     if (values != 1) return TextFault{1, static_cast<int>(text.size()), "these are " + std::to_string(values) + " values: expected one"};
   } catch (const mu::Parser::exception_type& error) {
-    return fault_of(error, text, variables);
+    return fault_of(error, text, allowed(variables));
   }
   return Expression([bound](double x, double y, double z, double t) {
     bound->x = x, bound->y = y, bound->z = z, bound->t = t;
@@ -182,6 +189,65 @@ std::array<Expression, 3> read_expressions(const Section& section, std::string_v
   const ReadFile read = files_of(section, key);
   const std::array<std::string, 3> texts = section.texts(key, check_for(variables, unit, read));
   return {in_si(texts[0], variables, unit, read), in_si(texts[1], variables, unit, read), in_si(texts[2], variables, unit, read)};
+}
+
+std::optional<Table> read_table(const Section& section, std::string_view key, const std::string& name) {
+  const auto parsed = named_table(name, files_of(section, key)).second;
+  if (const auto* wrong = std::get_if<std::string>(&parsed)) {
+    section.fault(key, *wrong);
+    return std::nullopt;
+  }
+  return std::get<Table>(parsed);
+}
+
+std::variant<FormulaText, TextFault> parse_formula(const std::string& text, const std::vector<std::string>& names) {
+  if (const auto fault = find_assignment(text)) return *fault;
+  struct Variables {
+    mu::Parser parser;
+    std::vector<double> inputs;
+    double t = 0;
+  };
+  const auto bound = std::make_shared<Variables>();
+  FormulaText formula;
+  try {
+    bound->parser.ClearConst();
+    bound->parser.DefineConst("pi", pi);
+    bound->parser.DefineVar("t", &bound->t);
+    std::vector<double> all(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] != "t" && names[i] != "pi") bound->parser.DefineVar(names[i], &all[i]);
+    bound->parser.SetExpr(text);
+    const auto used = bound->parser.GetUsedVar();
+    for (const std::string& name : names)
+      if (name != "t" && used.count(name) > 0) formula.inputs.push_back(name);
+    bound->inputs.resize(formula.inputs.size());
+    bound->parser.ClearVar();
+    bound->parser.DefineVar("t", &bound->t);
+    for (std::size_t i = 0; i < formula.inputs.size(); ++i) bound->parser.DefineVar(formula.inputs[i], &bound->inputs[i]);
+    int values = 0;
+    bound->parser.Eval(values);
+    if (values != 1) return TextFault{1, static_cast<int>(text.size()), "these are " + std::to_string(values) + " values: expected one"};
+  } catch (const mu::Parser::exception_type& error) {
+    return fault_of(error, text, "t, pi or a probe above this one" + (names.empty() ? std::string() : " (" + listed(names) + ")"));
+  }
+  formula.value = [bound](const std::vector<double>& inputs, double t) {
+    bound->inputs = inputs, bound->t = t;
+    try {
+      return bound->parser.Eval();
+    } catch (const mu::Parser::exception_type&) {
+      return std::nan("");
+    }
+  };
+  return formula;
+}
+
+FormulaText read_formula(const Section& section, std::string_view key, const std::vector<std::string>& names) {
+  const auto check = [&names](const std::string& text) -> std::optional<TextFault> {
+    const auto parsed = parse_formula(text, names);
+    if (const auto* fault = std::get_if<TextFault>(&parsed)) return *fault;
+    return std::nullopt;
+  };
+  return std::get<FormulaText>(parse_formula(section.text(key, check), names));
 }
 
 }  // namespace nereid::input

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/section.hpp"
+#include "input/table.hpp"
 #include "input/units.hpp"
 
 namespace nereid::input {
@@ -50,5 +51,20 @@ Expression read_expression(const Section&, std::string_view key, Variables, cons
 
 /// Three expressions, as in `["0", "0", "-9.81"]`.
 std::array<Expression, 3> read_expressions(const Section&, std::string_view key, Variables, const InUnit&);
+
+/// The table that a key names, as in "steel.csv" or "steel.csv:slow"; nothing after a fault.
+std::optional<Table> read_table(const Section&, std::string_view key, const std::string& name);
+
+/// A number as a function of other numbers and of the time [s].
+struct FormulaText {
+  std::vector<std::string> inputs;  ///< those of the names that it speaks of, in their order
+  std::function<double(const std::vector<double>& inputs, double t)> value;
+};
+
+/// Reads a text such as "push * tip / 2" that may speak of some names, of `t` and of `pi`.
+std::variant<FormulaText, TextFault> parse_formula(const std::string& text, const std::vector<std::string>& names);
+
+/// The formula of a key; zero after a fault.
+FormulaText read_formula(const Section&, std::string_view key, const std::vector<std::string>& names);
 
 }  // namespace nereid::input

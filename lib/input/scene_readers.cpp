@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/words.hpp"
+#include "input/expression.hpp"
 #include "input/load_readers.hpp"
 #include "input/mesh_readers.hpp"
 #include "input/readers.hpp"
@@ -97,6 +98,63 @@ void read_fluid_start(const Section& body, model::Body& fluid) {
   if (gas != nullptr) gas->pressure = fluid.start.pressure;
 }
 
+/// A zone of one of the kinds, whichever key the set has; none for a set of sets.
+std::optional<model::Zone> read_zone(const Section& set) {
+  using Kind = model::Zone::Kind;
+  std::optional<model::Zone> zone;
+  const auto place = [](const Section& section, std::string_view key) { return read_vector(section, key, dim::length); };
+  if (set.has("box")) {
+    const Section box = set.section("box");
+    zone = {.kind = Kind::box, .from = place(box, "low"), .to = place(box, "high")};
+    if (box.sound() && !((zone->to - zone->from).array() >= 0).all()) box.fault_between({"low", "high"}, "'high' must not be below 'low'");
+  }
+  if (set.has("cylinder")) {
+    const Section cylinder = set.section("cylinder");
+    zone = {.kind = Kind::cylinder, .from = place(cylinder, "from"), .to = place(cylinder, "to")};
+    zone->radius = cylinder.quantity("radius", dim::length, positive);
+    if (cylinder.sound() && zone->from == zone->to)
+      cylinder.fault_between({"from", "to"}, "'from' and 'to' are one place: the axis has no direction");
+  }
+  if (set.has("sphere")) {
+    const Section sphere = set.section("sphere");
+    zone = {.kind = Kind::sphere, .from = place(sphere, "centre")};
+    zone->radius = sphere.quantity("radius", dim::length, positive);
+  }
+  for (const auto& [key, kind] : {std::pair("plane", Kind::plane), std::pair("half_space", Kind::half_space)}) {
+    if (!set.has(key)) continue;
+    const Section plane = set.section(key);
+    zone = {.kind = kind, .from = place(plane, "point")};
+    zone->normal = read_direction(plane, "normal");
+  }
+  return zone;
+}
+
+model::Set read_set(const Section& section, Names& taken) {
+  static const Names kinds{"box", "cylinder", "sphere", "plane", "half_space", "any_of", "all_of"};
+  model::Set set{.name = read_name(section, taken, "points and sets of a body"), .zone = read_zone(section), .at = section.path()};
+  if (section.has("any_of")) set.any_of = section.words("any_of");
+  if (section.has("all_of")) set.all_of = section.words("all_of");
+  if (section.has("without")) set.without = section.words("without");
+  Names given;
+  for (const std::string& kind : kinds)
+    if (section.has(kind)) given.push_back(kind);
+  if (given.empty()) section.fault("name", "a set needs one of " + joined(kinds));
+  if (given.size() > 1)
+    section.fault(given[1], quote(given[0]) + " and " + quote(given[1]) + ": a set has one of them; join sets by 'any_of' or 'all_of'");
+  return set;
+}
+
+/// `materials: [{of: REGION OR SET, material: {...}}]` of parts of a body.
+std::vector<model::PartMaterial> read_parts(const Section& section, const model::Body& body) {
+  std::vector<model::PartMaterial> parts;
+  for (const Section& part : section.list("materials")) {
+    const Section material = part.section("material");
+    const bool only_plates = model::has_plates(body.mesh) && !model::has_solids(body.mesh);
+    parts.push_back({.of = part.word("of"), .law = only_plates ? read_plate_law(material) : read_law(material), .at = part.path()});
+  }
+  return parts;
+}
+
 model::Body read_body(const Section& section, Names& taken) {
   const Section mesh = section.section("mesh");
   mesh::Origin origin;
@@ -106,7 +164,9 @@ model::Body read_body(const Section& section, Names& taken) {
                    .map = read_map(mesh),
                    .place = read_placement(section),
                    .points = {},
+                   .sets = {},
                    .law = {},
+                   .parts = {},
                    .solid = {},
                    .plate = {},
                    .rigid = section.flag_or("rigid", false),
@@ -138,9 +198,12 @@ model::Body read_body(const Section& section, Names& taken) {
   if (is_fluid || section.has("start")) read_fluid_start(section.when(is_fluid), body);
   body.plate = read_plate_options(element.when(model::has_plates(body.mesh)));
   Names points;
+  constexpr const char* of_a_body = "points and sets of a body";
   for (const Section& point : section.list("points"))
     body.points.push_back(
-        {.name = read_name(point, points, "points of a body"), .near = read_vector(point, "near", dim::length), .at = point.path()});
+        {.name = read_name(point, points, of_a_body), .near = read_vector(point, "near", dim::length), .at = point.path()});
+  for (const Section& set : section.list("sets")) body.sets.push_back(read_set(set, points));
+  body.parts = read_parts(section, body);
   return body;
 }
 
@@ -167,25 +230,58 @@ model::Contact read_contact(const Section& section, bool tied, Names& taken) {
   return contact;
 }
 
+/// `value`, a formula of the probes above it, and its `unit`, an SI unit (1).
+model::Formula read_probe_formula(const Section& section, const Names& above) {
+  const FormulaText text = read_formula(section, "value", above);
+  model::Formula formula{.inputs = text.inputs, .value = text.value, .unit = section.word_or("unit", "1")};
+  const auto parsed = parse_quantity("1 " + formula.unit);
+  const bool plain = formula.unit == "1", is_unit = std::holds_alternative<Quantity>(parsed);
+  if (!plain && !is_unit) section.fault("unit", "'unit' = " + formula.unit + ": " + std::get<TextFault>(parsed).message);
+  else if (!plain && std::get<Quantity>(parsed).value != 1)
+    section.fault("unit", "'unit' = " + formula.unit + " is no SI unit: probes are in SI, so expected " +
+                              quote(si_unit(std::get<Quantity>(parsed).dimension)));
+  return formula;
+}
+
 model::Probe read_probe(const Section& section, Names& taken) {
-  model::Probe probe{.name = read_name(section, taken, "probes"), .quantity = {}, .of = section.word("of"), .at = section.path()};
+  const Names above = taken;
+  model::Probe probe{.name = read_name(section, taken, "probes"), .quantity = {}, .of = {}, .at = section.path()};
   if (model::is_column_of_every_history(probe.name))
     section.fault("name", "'name' = " + probe.name + " is a column of every history: choose another");
+  if (section.has("value")) {
+    probe.formula = read_probe_formula(section, above);
+    for (const char* key : {"quantity", "of"})
+      if (section.has(key))
+        section.fault(key, quote(key) + " and 'value': a probe measures something, or is computed from the probes above it");
+    return probe;
+  }
+  probe.of = section.word("of");
   Names words;
   for (const model::Measurable& one : model::measurables()) words.push_back(one.name);
   const std::string word = section.choice("quantity", words);
   if (!section.decided()) {  // of which quantity these are, nobody knows
-    section.has("component"), section.has("take"), section.has("place");
+    for (const char* key : {"component", "take", "place", "near", "along", "between"}) section.has(key);
     return probe;
   }
   probe.quantity = word;
   const model::Measurable& quantity = *model::find_measurable(probe.quantity);
-  if (!quantity.components.empty())
+  const bool is_tensor = model::is_tensor(quantity), is_pair = quantity.of == model::Of::source && section.has("between");
+  if (is_tensor && section.has("along")) {
+    probe.along = read_direction(section, "along");
+    if (section.has("component")) section.fault("component", "'component' and 'along' are two directions: give one of them");
+  } else if (!quantity.components.empty())
     probe.component = quantity.required ? section.choice("component", quantity.components)
                                         : section.choice_or("component", quantity.components.front(), quantity.components);
   if (quantity.of == model::Of::body) {
     probe.largest = section.choice_or("take", "mean", {"mean", "largest"}) == "largest";
+    if (section.has("near")) probe.near = read_vector(section, "near", dim::length);
+    if (probe.near && section.has("take")) section.fault("take", "'near' takes one element: leave 'take' out");
     if (section.has("place")) probe.place = section.choice("place", {element::words_of_places.begin(), element::words_of_places.end()});
+  }
+  if (is_pair) {
+    const Names bodies = section.words("between", 2);
+    if (bodies.size() == 2) probe.between = {bodies[0], bodies[1]};
+    else section.fault("between", "'between' has two bodies, as in [ball, plate]");
   }
   return probe;
 }
@@ -249,11 +345,12 @@ model::Stop read_stop(const Section& section, const std::vector<Measured>& probe
     for (const Measured& one : probes) names.push_back(one.name);
     section.unknown_name("probe", name, "probes", names);
   }
-  const bool known = probe != probes.end() && !probe->unit.empty();  // else the probe is at fault, or its name
+  const bool known = section.surveyed() || (probe != probes.end() && !probe->unit.empty());  // else the probe is at fault, or its name
+  const Dimension dimension = section.surveyed() ? dim::length : known ? dimension_of(probe->unit) : dim::none;
   if (condition == "peaked" || condition == "dipped") stop = read_peak(section, condition);
-  if (condition == "steady" && known) stop = read_steady(section, dimension_of(probe->unit), row);
+  if (condition == "steady" && known) stop = read_steady(section, dimension, row);
   if (condition == "above" || condition == "below") stop.above = condition == "above";
-  if ((condition == "above" || condition == "below") && known) stop.value = section.quantity(condition, dimension_of(probe->unit));
+  if ((condition == "above" || condition == "below") && known) stop.value = section.quantity(condition, dimension);
   stop.probe = name, stop.after = after, stop.at = section.path();
   return stop;
 }
@@ -305,7 +402,8 @@ std::vector<Measured> measured_by(const std::vector<model::Probe>& probes) {
   std::vector<Measured> measured;
   for (const model::Probe& probe : probes) {
     const model::Measurable* quantity = model::find_measurable(probe.quantity);
-    measured.push_back({probe.name, quantity == nullptr ? "" : quantity->unit});
+    const std::string unit = probe.formula.value ? probe.formula.unit : quantity == nullptr ? "" : quantity->unit;
+    measured.push_back({probe.name, unit});
   }
   return measured;
 }
@@ -329,7 +427,7 @@ model::Scene read_scene_at_rest(const Section& root) {
   for (const Section& plane : root.list("planes")) {
     const std::string kind = plane.choice("kind", {"symmetry", "constrained", "fixed", "floor", "rigid", "driven"});
     if (kind == "rigid" || kind == "floor")
-      plane.fault("kind", "a floor or rigid plane lets go, which no small motion about rest keeps: take it out, or say 'constrained'");
+      plane.fault("kind", "modes cannot include the release of nodes from a floor or rigid plane: take it out, or say 'constrained'");
   }
   return scene;
 }

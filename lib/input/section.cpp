@@ -16,6 +16,7 @@
 #include "input/document.hpp"
 #include "input/preset.hpp"
 #include "input/retired.hpp"
+#include "input/survey.hpp"
 #include "input/text_file.hpp"
 #include "mesh/split.hpp"
 
@@ -67,6 +68,27 @@ Section Section::descend(Node* node, std::string path) const {
 
 std::string Section::path_of(std::string_view key) const {
   return (path_.empty() ? "" : path_ + ".") + std::string(key);
+}
+
+/// Keeps what is asked, where a case is surveyed: its path, whether it is used, and what the caller knows of it.
+void Section::note(std::string_view key, AskedKey asked) const {
+  if (document_->survey == nullptr) return;
+  asked.path = path_of(key);
+  for (std::size_t at = asked.path.find("[0]"); at != std::string::npos; at = asked.path.find("[0]", at)) asked.path.erase(at + 1, 1);
+  asked.required = asked.required && use_ == Use::used;
+  document_->survey->asked.push_back({std::move(asked), use_ != Use::not_used});
+}
+
+/// Whether a surveyed case is asked; then the question is kept, and answered by the first answer unless the survey says another one.
+bool Section::answer(std::string_view key, const std::vector<std::string>& answers, std::string& given) const {
+  if (document_->survey == nullptr) return false;
+  std::string path = path_of(key);
+  for (std::size_t at = path.find("[0]"); at != std::string::npos; at = path.find("[0]", at)) path.erase(at + 1, 1);
+  document_->survey->questions.push_back({path, answers, use_ != Use::not_used});
+  const auto said = document_->survey->answers.find(path);
+  const bool fits = said != document_->survey->answers.end() && std::find(answers.begin(), answers.end(), said->second) != answers.end();
+  given = fits ? said->second : answers.front();
+  return true;
 }
 
 /// The entry of a key that is known from now on, or null.
@@ -246,6 +268,8 @@ bool Section::read(Entry& entry, const Node& node, const std::string& name, cons
 
 Section Section::section(std::string_view key) const {
   std::string path = path_of(key);
+  note(key, {.path = {}, .type = "section", .unit = {}, .range = {}, .otherwise = {}, .required = true});
+  if (document_->survey != nullptr) return descend(document_->empty_section({}), std::move(path));
   Entry* entry = get(key, true, "section " + quote(key));
   if (entry == nullptr) return descend(nullptr, std::move(path));
   Node& value = *entry->value;
@@ -261,6 +285,10 @@ Section Section::section(std::string_view key) const {
 }
 
 Section Section::section_or_empty(std::string_view key) const {
+  if (document_->survey != nullptr) {
+    note(key, {.path = {}, .type = "section", .unit = {}, .range = {}, .otherwise = {}});
+    return descend(document_->empty_section({}), path_of(key));
+  }
   const Entry* entry = ask(key);
   if (entry != nullptr &&
       !(entry->value->kind == Node::Kind::map && entry->value->entries.empty())) {
@@ -274,6 +302,8 @@ Section Section::section_or_empty(std::string_view key) const {
 
 std::vector<Section> Section::list(std::string_view key, int fewest) const {
   std::vector<Section> result;
+  note(key, {.path = {}, .type = "sections", .unit = {}, .range = {}, .otherwise = {}, .required = fewest > 0});
+  if (document_->survey != nullptr) return {descend(document_->empty_section({}), path_of(name_of(key, 0)))};
   Entry* entry = get(key, fewest > 0, "list " + quote(key));
   if (entry == nullptr || !is_list(*entry, key, "a list of sections")) return result;
   const auto& items = entry->value->items;
@@ -306,9 +336,15 @@ Section Section::when(bool used) const {
   return result;
 }
 
+bool Section::surveyed() const { return document_->survey != nullptr; }
+
 bool Section::decided() const { return node_ != nullptr && !node_->undecided; }
 
-bool Section::has(std::string_view key) const { return ask(key) != nullptr; }
+bool Section::has(std::string_view key) const {
+  std::string given;
+  if (answer(key, {"", "given"}, given)) return !given.empty();
+  return ask(key) != nullptr;
+}
 
 std::vector<std::string> Section::keys() const {
   std::vector<std::string> result;
@@ -319,6 +355,15 @@ std::vector<std::string> Section::keys() const {
 
 double Section::quantity(std::string_view key, const double* otherwise, Dimension dimension,
                          const Range& range) const {
+  note(key, {.path = {},
+             .type = dimension == dim::none ? "number" : "quantity",
+             .unit = dimension == dim::none ? "1" : si_unit(dimension),
+             .range = std::isfinite(range.low) || std::isfinite(range.high) ? words_of(range, std::string(key), si_unit(dimension)) : "",
+             .otherwise = otherwise == nullptr ? "" : shortest(*otherwise),
+             .required = otherwise == nullptr});
+  std::string given;
+  if (dimension == dim::none && otherwise != nullptr && *otherwise == 0 && range.contains(1) && answer(key, {"0", above_zero}, given))
+    return given == above_zero ? 1 : 0;
   Entry* entry = get(key, otherwise == nullptr, missing_quantity(key, dimension));
   if (entry == nullptr && otherwise != nullptr) {
     record(key, *otherwise, si_unit(dimension), true);
@@ -350,6 +395,14 @@ double Section::number_or(std::string_view key, double otherwise, Range range) c
 }
 
 int Section::count(std::string_view key, const int* otherwise, int low, int high) const {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double to = high == std::numeric_limits<int>::max() ? infinity : high;
+  note(key, {.path = {},
+             .type = "count",
+             .unit = "1",
+             .range = words_of(within(low == std::numeric_limits<int>::min() ? -infinity : low, to), std::string(key), "1"),
+             .otherwise = otherwise == nullptr ? "" : std::to_string(*otherwise),
+             .required = otherwise == nullptr});
   Entry* entry = get(key, otherwise == nullptr, quote(key));
   int value = otherwise != nullptr ? *otherwise : low;
   if (entry == nullptr) {
@@ -371,6 +424,16 @@ int Section::count_or(std::string_view key, int otherwise, int low, int high) co
 }
 
 bool Section::flag(std::string_view key, const bool* otherwise) const {
+  std::string given;
+  const bool usual = otherwise != nullptr && *otherwise;
+  note(key, {.path = {},
+             .type = "flag",
+             .unit = {},
+             .range = {},
+             .otherwise = otherwise == nullptr ? "" : usual ? "true" : "false",
+             .required = otherwise == nullptr});
+  if (answer(key, usual ? std::vector<std::string>{"true", "false"} : std::vector<std::string>{"false", "true"}, given))
+    return given == "true";
   Entry* entry = get(key, otherwise == nullptr, quote(key));
   const bool value = otherwise != nullptr && *otherwise;
   if (entry == nullptr) {
@@ -395,6 +458,18 @@ bool Section::flag_or(std::string_view key, bool otherwise) const { return flag(
 
 std::string Section::word(std::string_view key, const std::string_view* otherwise,
                           const std::vector<std::string>* options) const {
+  note(key, {.path = {},
+             .type = options == nullptr ? "word" : "choice",
+             .unit = {},
+             .range = {},
+             .otherwise = otherwise == nullptr ? "" : std::string(*otherwise),
+             .required = otherwise == nullptr,
+             .options = options == nullptr ? std::vector<std::string>{} : *options});
+  if (std::string given; options != nullptr) {
+    std::vector<std::string> answers = *options;
+    if (otherwise != nullptr) std::stable_partition(answers.begin(), answers.end(), [&](const auto& one) { return one == *otherwise; });
+    if (answer(key, answers, given)) return given;
+  }
   Entry* entry = get(key, otherwise == nullptr, quote(key));
   std::string value;
   if (otherwise != nullptr) {
@@ -436,6 +511,7 @@ std::string Section::choice_or(std::string_view key, std::string_view otherwise,
 }
 
 std::string Section::text(std::string_view key, const TextCheck& check) const {
+  note(key, {.path = {}, .type = "expression", .unit = {}, .range = {}, .otherwise = {}, .required = true});
   Entry* entry = get(key, true, quote(key));
   std::string value = "0";
   if (entry != nullptr && read(*entry, *entry->value, std::string(key), check, value)) accept(*entry, key, value, "");
@@ -443,6 +519,7 @@ std::string Section::text(std::string_view key, const TextCheck& check) const {
 }
 
 std::array<std::string, 3> Section::texts(std::string_view key, const TextCheck& check) const {
+  note(key, {.path = {}, .type = "expressions", .unit = {}, .range = "three", .otherwise = {}, .required = true});
   std::array<std::string, 3> value{"0", "0", "0"};
   Entry* entry = get(key, true, quote(key));
   if (entry == nullptr || !is_list(*entry, key, "three texts as in '[\"0\", \"0\", \"1\"]'")) return value;
@@ -461,6 +538,17 @@ std::array<std::string, 3> Section::texts(std::string_view key, const TextCheck&
 
 std::array<double, 3> Section::vector(std::string_view key, const std::array<double, 3>* otherwise,
                                       Dimension dimension) const {
+  const auto usual = [otherwise] {
+    std::string text;
+    for (const double one : *otherwise) text += (text.empty() ? "[" : ", ") + shortest(one);
+    return text + "]";
+  };
+  note(key, {.path = {},
+             .type = dimension == dim::none ? "numbers" : "quantities",
+             .unit = dimension == dim::none ? "1" : si_unit(dimension),
+             .range = "three",
+             .otherwise = otherwise == nullptr ? "" : usual(),
+             .required = otherwise == nullptr});
   Entry* entry = get(key, otherwise == nullptr, missing_quantity(key, dimension));
   const std::string unit = si_unit(dimension);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -502,6 +590,7 @@ std::array<double, 3> Section::vector_or(std::string_view key,
 }
 
 std::array<int, 3> Section::counts(std::string_view key, int low, int high) const {
+  note(key, {.path = {}, .type = "counts", .unit = "1", .range = "three", .otherwise = {}, .required = true});
   const std::array<int, 3> lowest{low, low, low};
   Entry* entry = get(key, true, quote(key));
   if (entry == nullptr || !is_list(*entry, key, "three whole numbers")) return lowest;
@@ -523,6 +612,12 @@ std::array<int, 3> Section::counts(std::string_view key, int low, int high) cons
 
 std::vector<double> Section::quantities(std::string_view key, Dimension dimension, Range range,
                                         int fewest) const {
+  note(key, {.path = {},
+             .type = dimension == dim::none ? "numbers" : "quantities",
+             .unit = dimension == dim::none ? "1" : si_unit(dimension),
+             .range = fewest > 0 ? "at least " + std::to_string(fewest) : "",
+             .otherwise = {},
+             .required = fewest > 0});
   Entry* entry = get(key, fewest > 0, missing_quantity(key, dimension));
   std::vector<double> result(static_cast<std::size_t>(std::max(fewest, 0)), harmless(range));
   if (entry == nullptr || !is_list(*entry, key, "a list of values")) return result;
@@ -543,6 +638,13 @@ std::vector<double> Section::quantities(std::string_view key, Dimension dimensio
 }
 
 std::vector<std::string> Section::words(std::string_view key, int fewest) const {
+  note(key, {.path = {},
+             .type = "words",
+             .unit = {},
+             .range = fewest > 0 ? "at least " + std::to_string(fewest) : "",
+             .otherwise = {},
+             .required = fewest > 0});
+  if (surveyed()) return std::vector<std::string>(static_cast<std::size_t>(std::max(fewest, 0)));
   Entry* entry = get(key, fewest > 0, quote(key));
   std::vector<std::string> result;
   if (entry == nullptr || !is_list(*entry, key, "a list of words")) return result;
@@ -563,6 +665,7 @@ std::vector<std::string> Section::words(std::string_view key, int fewest) const 
 }
 
 void Section::fault(std::string_view key, std::string message, std::string hint) const {
+  if (surveyed() && use_ == Use::used) document_->survey->faults.insert(message);
   Entry* entry = ask(key);
   if (entry != nullptr && !entry->faulty) {
     wrong(*entry, place_of(*entry, *entry->value), std::move(message), std::move(hint));
@@ -634,6 +737,17 @@ CaseFile CaseFile::read(const std::string& path, const std::vector<std::string>&
   return parse(*text, path, overrides);
 }
 
+CaseFile CaseFile::surveyed(const std::shared_ptr<Survey>& survey) {
+  CaseFile file(std::make_shared<Document>("survey", "none: 0\n", std::vector<std::string>{}));
+  file.document_->survey = survey;
+  const Section root = file.root();
+  std::vector<std::string> names;
+  for (const Preset& preset : presets()) names.emplace_back(preset.name);
+  if (root.has("accuracy")) root.choice("accuracy", names);
+  root.number_or("refine", 1, within(1.0 / most_refined, most_refined));
+  return file;
+}
+
 CaseFile CaseFile::parse(const std::string& text, const std::string& path,
                          const std::vector<std::string>& overrides) {
   CaseFile file(std::make_shared<Document>(path, text, overrides));
@@ -703,7 +817,10 @@ void CaseFile::show(mesh::Offenders one) const { document_->offenders.push_back(
 
 const std::vector<mesh::Offenders>& CaseFile::offenders() const { return document_->offenders; }
 
-void CaseFile::finish() const { document_->throw_if_any(); }
+void CaseFile::finish() const {
+  if (document_->survey != nullptr) throw SurveyEnds();
+  document_->throw_if_any();
+}
 
 void CaseFile::check_files(const FileCheck& check) const {
   for (const Document::NamedFile& file : document_->files) {

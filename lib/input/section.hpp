@@ -38,6 +38,8 @@
 namespace nereid::input {
 
 struct CaseMesh;  // input/preset.hpp
+struct AskedKey;  // input/survey.hpp
+struct Survey;
 
 // Ranges stand in every reader: input::positive, input::within.
 using nereid::above, nereid::at_least, nereid::below, nereid::between, nereid::not_negative, nereid::positive, nereid::Range,
@@ -101,6 +103,9 @@ class Section {
   /// Whether all choices read so far are there and known; else a reader does not judge what has another meaning or
   /// shape in each kind.
   bool decided() const;
+
+  /// Whether no case is read, but all keys are asked for: CaseFile::surveyed.
+  bool surveyed() const;
 
   /// What counts of cells are multiplied by, as CaseFile::refine_factor(). [-]
   double refine_factor() const;
@@ -201,6 +206,8 @@ class Section {
   Section descend(Node* node, std::string path) const;
   std::string path_of(std::string_view key) const;
 
+  void note(std::string_view key, AskedKey asked) const;
+  bool answer(std::string_view key, const std::vector<std::string>& answers, std::string& given) const;
   Entry* ask(std::string_view key) const;
   Entry* get(std::string_view key, bool required, const std::string& what) const;
   void wrong(Entry&, const Place& at, std::string message, std::string hint = "") const;
@@ -240,6 +247,9 @@ class CaseFile {
   /// The same from a text; `path` is what faults call it.
   static CaseFile parse(const std::string& text, const std::string& path,
                         const std::vector<std::string>& overrides = {});
+
+  /// A case without keys, of which all that readers ask is kept.
+  static CaseFile surveyed(const std::shared_ptr<Survey>&);
 
   Section root() const;
 

@@ -6,6 +6,7 @@
 #include "material/elastic.hpp"
 #include "material/ideal_gas.hpp"
 #include "material/j2_bilinear.hpp"
+#include "material/j2_curve.hpp"
 #include "material/j2_mixed.hpp"
 #include "material/johnson_cook.hpp"
 #include "material/linear_fluid.hpp"
@@ -15,7 +16,7 @@
 namespace nereid::material {
 
 /// Every law.
-using AnyLaw = std::variant<Elastic, J2Bilinear, J2Mixed, J2JohnsonCook, NeoHookean, LinearFluid, MieGruneisen, IdealGas>;
+using AnyLaw = std::variant<Elastic, J2Bilinear, J2Mixed, J2JohnsonCook, J2Curve, NeoHookean, LinearFluid, MieGruneisen, IdealGas>;
 
 /// Young's modulus, of a fluid the bulk modulus at the start. [Pa]
 inline double stiffness(const AnyLaw& any) {

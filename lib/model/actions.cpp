@@ -189,7 +189,7 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
     case LoadKind::pressure:
       if (mesh::has_both_sides(mesh::surface(model.mesh, load.on).facets))
         refuse(faults, part("load", load), "surface",
-               quote(load.on) + " has plates from both sides, on which a pressure cancels: expected one side of them");
+               quote(load.on) + " has both sides of plates, on which a pressure cancels: expected one side of them");
       model.loads.emplace_back(load::pressure_on(load.name, model.mesh, mesh::surface(model.mesh, load.on), values[0]));
       break;
     case LoadKind::force:
@@ -202,7 +202,7 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
     case LoadKind::radiation: {
       const mesh::Surface& surface = mesh::surface(model.mesh, load.on);
       if (mesh::has_both_sides(surface.facets))
-        refuse(faults, part("load", load), "surface", quote(load.on) + " has plates from both sides: waves leave through one of them");
+        refuse(faults, part("load", load), "surface", quote(load.on) + " has both sides of plates: waves leave through one of them");
       const double impedance = load.impedance.value_or(dynamics::surface_impedance(model, surface));
       if (!std::isfinite(impedance) || !(impedance > 0))
         refuse(faults, part("load", load), "impedance",
@@ -214,7 +214,7 @@ void add_load(const Load& load, dynamics::Model& model, Faults& faults) {
     }
     case LoadKind::bubble:
       if (mesh::has_both_sides(mesh::surface(model.mesh, load.on).facets))
-        refuse(faults, part("load", load), "surface", quote(load.on) + " has plates from both sides: a bubble lies on one of them");
+        refuse(faults, part("load", load), "surface", quote(load.on) + " has both sides of plates: a bubble lies on one of them");
       model.loads.emplace_back(load::bubble_under(load.name, model.mesh, mesh::surface(model.mesh, load.on), values[0], load.volume));
       break;
     case LoadKind::body_force: break;  // above

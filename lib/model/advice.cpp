@@ -74,8 +74,8 @@ std::vector<std::string> element_advice(const Simulation& simulation, const Expe
   const double then = std::min(simulation.time.safety * all[n].step, limits.contact.step) / expected.dt;
   if (!(then > worth_saying)) return {};
   const char* body = element::name(simulation.model.blocks[all[0].block]).c_str();
-  const std::string what = n == 1 ? formatted("element %d of '%s' sets the step; ", all[0].element, body)
-                                  : formatted("element %d of '%s' and %zu more of %zu set the step; ", all[0].element, body, n - 1,
+  const std::string what = n == 1 ? formatted("element %d of '%s' limits the step; ", all[0].element, body)
+                                  : formatted("element %d of '%s' and %zu more of %zu limit the step; ", all[0].element, body, n - 1,
                                               all.size());
   return {what + said(Remedy::wider_elements) + formatted(", about %.2g times", then)};
 }
@@ -129,7 +129,8 @@ std::vector<std::string> step_advice(const Simulation& simulation, const Expecte
   std::vector<std::string> advice;
   const auto look = [&](const char* what, const std::string& name, double step, bool may) {
     if (!(step * worth_saying < expected.elements)) return;
-    advice.push_back(formatted("%s '%s' makes this run %.3g times longer", what, name.c_str(), expected.elements / step) +
+    advice.push_back(formatted("%s '%s' limits the step: this run has %.3g times as many steps", what, name.c_str(),
+                               expected.elements / step) +
                      (may ? "; " + said(Remedy::multiplier) : ""));
   };
   for (std::size_t c = 0; c < expected.contacts.size(); ++c) {
@@ -150,8 +151,8 @@ std::vector<std::string> strain_notes(const Simulation& simulation) {
     if (!dynamics::is_rigid_block(simulation.model, b)) capacity += plastic_capacity(simulation.model.blocks[b]);
   const double part = simulation.state.ledger.initial_available / capacity;
   if (!(capacity > 0 && part > worth_a_note)) return {};
-  return {formatted("the kinetic energy at the start is %.3g of yield stress times volume: elements may be strained by as much and more, "
-                    "and the forecast does not know how that changes the step",
+  return {formatted("the kinetic energy at the start is %.3g of yield stress times volume: strains of elements may reach this value and "
+                    "more, and the forecast does not include how they change the step",
                     part)};
 }
 

@@ -17,6 +17,7 @@
 #include "model/names.hpp"
 #include "model/probes.hpp"
 #include "model/rigid_bodies.hpp"
+#include "model/sets.hpp"
 #include "model/stages.hpp"
 #include "model/stops.hpp"
 #include "model/values.hpp"
@@ -39,6 +40,9 @@ Names names_of(const Lists&... lists) {
 
 void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   Names regions = names_of(scene.bodies), quantities;
+  for (const Body& body : scene.bodies)
+    for (const Set& set : body.sets)
+      if (has_elements(body, set.name)) regions.push_back(body.name + "." + set.name);
   for (const std::string& name : names_of(mesh.hexahedra, mesh.triangles))
     if (name.find('.') != std::string::npos) regions.push_back(name);
   const Names sets = names_of(mesh.node_sets), contacts = names_of(scene.contacts);
@@ -46,6 +50,7 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   for (const Measurable& one : measurables()) quantities.push_back(one.name);
   for (const Probe& probe : scene.probes) {
     const Part here = part("probe", probe);
+    if (probe.formula.value) continue;
     expect(faults, here, "quantity", probe.quantity, "quantities", quantities);
     const Measurable* quantity = find_measurable(probe.quantity);
     if (quantity == nullptr) continue;
@@ -55,12 +60,22 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
         for (const mesh::NodeSet& set : mesh.node_sets)
           if (set.name == probe.of && set.nodes.empty()) refuse(faults, here, "of", "'of' = " + probe.of + " has no nodes");
         break;
-      case Of::body: expect(faults, here, "of", probe.of, "bodies and regions", regions); break;
+      case Of::body: expect(faults, here, "of", probe.of, "bodies, regions and sets with elements", regions); break;
       case Of::contact: expect(faults, here, "of", probe.of, "contacts", contacts); break;
       case Of::any_contact:
         expect(faults, here, "of", probe.of, "contacts", names_of(scene.contacts, scene.automatic_contacts));
         break;
-      case Of::source: expect(faults, here, "of", probe.of, "contacts, planes, loads, springs and sections", sources); break;
+      case Of::source:
+        if (probe.between[0].empty()) {
+          expect(faults, here, "of", probe.of, "contacts, planes, loads, springs and sections", sources);
+          break;
+        }
+        expect(faults, here, "of", probe.of, "automatic contacts", names_of(scene.automatic_contacts));
+        for (std::size_t i = 0; i < 2; ++i)
+          expect(faults, here, "between[" + std::to_string(i) + "]", probe.between[i], "bodies", names_of(scene.bodies));
+        if (probe.between[0] == probe.between[1])
+          refuse(faults, here, "between", "'between' needs two bodies: forces of a body on itself cancel");
+        break;
       case Of::section: expect(faults, here, "of", probe.of, "sections", names_of(scene.sections)); break;
       case Of::surface:
         expect(faults, here, "of", probe.of, "surfaces", names_of(mesh.surfaces));
@@ -77,6 +92,32 @@ bool is_whole(const Scene& scene, const mesh::Mesh& mesh) {
   const Names sets = names_of(mesh.node_sets);
   return std::all_of(scene.bodies.begin(), scene.bodies.end(),
                      [&](const Body& body) { return std::find(sets.begin(), sets.end(), body.name) != sets.end(); });
+}
+
+/// Whether each part of a body with a material of its own is a region or a set with elements.
+void check_parts(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
+  for (const Body& body : scene.bodies) {
+    Names known;
+    for (const Set& set : body.sets)
+      if (has_elements(body, set.name)) known.push_back(set.name);
+    for (const std::string& region : names_of(mesh.hexahedra, mesh.triangles))
+      if (region.rfind(body.name + ".", 0) == 0) known.push_back(region.substr(body.name.size() + 1));
+    for (std::size_t p = 0; p < body.parts.size(); ++p)
+      expect(faults, {body.parts[p].at, "material of a part of body '" + body.name + "'"}, "of", body.parts[p].of,
+             "regions and sets with elements of " + body.name, known);
+    const auto any_in = [&](const std::string& set, const auto& regions) {
+      return std::any_of(regions.begin(), regions.end(), [&](const auto& region) {
+        if (!belongs(region.name, body)) return false;
+        const std::vector<char> inside = elements_in(body, set, mesh.X, region.nodes);
+        return region.name == body.name + "." + set || std::find(inside.begin(), inside.end(), 1) != inside.end();
+      });
+    };
+    const auto is_known = [&known](const std::string& name) { return std::find(known.begin(), known.end(), name) != known.end(); };
+    for (const PartMaterial& part : body.parts)
+      if (is_known(part.of) && !any_in(part.of, mesh.hexahedra) && !any_in(part.of, mesh.triangles))
+        refuse(faults, {part.at, "material of a part of body '" + body.name + "'"}, "of",
+               "'of' = " + part.of + " has no elements: no middle of one lies in it");
+  }
 }
 
 /// Whatever names a part of the mesh names one that is there.
@@ -117,6 +158,7 @@ void check_names(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
   for (const Stage& stage : scene.stages)
     for (const Initial& initial : stage.initial)
       expect(faults, {initial.at, "initial motion of '" + initial.body + "'"}, "body", initial.body, "bodies", bodies);
+  check_parts(scene, mesh, faults);
   check_probes(scene, mesh, faults);
 }
 
@@ -133,14 +175,49 @@ element::AnyHexahedronOptions options_of(const Body& body, const Vec3& gravity, 
   return options;
 }
 
-/// The elements of all bodies; a mesh from a file may have several regions.
+/// Elements of one material, in a region of a mesh.
+struct OneMaterial {
+  std::string name;
+  element::Connectivity nodes;
+  const element::AnyLaw* law;
+};
+
+/// The elements of a region by their materials: those of parts have the name of their part, the others that of the region.
+std::vector<OneMaterial> by_material(const Body& body, const std::string& region, const Vectors& X, const element::Connectivity& nodes) {
+  std::vector<const PartMaterial*> part_of(static_cast<std::size_t>(nodes.cols()), nullptr);
+  for (const PartMaterial& part : body.parts) {
+    if (body.name + "." + part.of == region) std::fill(part_of.begin(), part_of.end(), &part);
+    const std::vector<char> inside = elements_in(body, part.of, X, nodes);
+    for (std::size_t e = 0; e < inside.size(); ++e)
+      if (inside[e] != 0) part_of[e] = &part;
+  }
+  std::vector<const PartMaterial*> parts{nullptr};
+  for (const PartMaterial& part : body.parts) parts.push_back(&part);
+  std::vector<OneMaterial> all;
+  for (const PartMaterial* part : parts) {
+    std::vector<Eigen::Index> columns;
+    for (std::size_t e = 0; e < part_of.size(); ++e)
+      if (part_of[e] == part) columns.push_back(static_cast<Eigen::Index>(e));
+    if (columns.empty()) continue;
+    const bool whole = part == nullptr || body.name + "." + part->of == region;
+    all.push_back({whole ? region : region + "." + part->of, nodes(Eigen::all, columns), part == nullptr ? &body.law : &part->law});
+  }
+  return all;
+}
+
+/// The elements of all bodies; a mesh from a file may have several regions, and parts of a body may have materials of their own.
 void add_elements(const Scene& scene, dynamics::Model& model) {
+  const Vectors& X = model.mesh.X;
   for (const Body& body : scene.bodies) {
     const element::AnyHexahedronOptions options = options_of(body, scene.gravity, model.mesh);
     for (const mesh::Hexahedra& region : model.mesh.hexahedra)
-      if (belongs(region.name, body)) model.blocks.push_back(element::solids(model.mesh, region.name, body.law, options));
+      if (belongs(region.name, body))
+        for (const OneMaterial& one : by_material(body, region.name, X, region.nodes))
+          model.blocks.push_back(element::solids(model.mesh, one.name, one.nodes, *one.law, options));
     for (const mesh::Triangles& region : model.mesh.triangles)
-      if (belongs(region.name, body)) model.blocks.push_back(element::plates(model.mesh, region.name, body.law, body.plate));
+      if (belongs(region.name, body))
+        for (const OneMaterial& one : by_material(body, region.name, X, region.nodes))
+          model.blocks.push_back(element::plates(model.mesh, one.name, one.nodes, *one.law, body.plate));
   }
 }
 
@@ -189,7 +266,7 @@ void refuse_penetration(const auto& contact, bool given, const contact::InitialG
 void refuse_empty_tie(const Contact& contact, const contact::InitialGaps& gaps, Faults& faults) {
   if (contact.interface.kind != contact::InterfaceKind::tied || gaps.free < gaps.apexes) return;
   refuse(faults, part("contact", contact), "apexes",
-         "none of the " + std::to_string(gaps.apexes) + " apexes of '" + contact.apexes + "' stands over '" + contact.base +
+         "0 of the " + std::to_string(gaps.apexes) + " apexes of '" + contact.apexes + "' are over '" + contact.base +
              "': expected at least one to be tied");
 }
 
@@ -267,7 +344,7 @@ void add_automatic_contacts(const Scene& scene, const Vectors* start, dynamics::
     if (faults.size() > before) continue;
     if (!any_touch(scene, bodies, apart)) {
       refuse(faults, here, contact.self_contact ? "bodies" : "self_contact",
-             "nothing is left that touches: other contacts have all pairs of these bodies, and none touches itself");
+             "no pair is left for this contact: other contacts have all pairs of these bodies, and no body has self-contact");
       continue;
     }
     for (dynamics::Connected& one : dynamics::connect_automatic(model, contact.name, bodies, apart, contact.interface, start)) {
@@ -387,7 +464,7 @@ Simulation build(const Scene& scene) {
   for (contact::AnyContact& any : model.contacts)
     if (contact::tied_by_multipliers(any)) contact::tie_here(simulation.state.x, std::get<contact::Interface>(any));
   simulation.forces = dynamics::make_forces(model);
-  for (const Probe& probe : scene.probes) simulation.probes.push_back(make_probe(probe, model, simulation.state, faults));
+  simulation.probes = make_probes(scene, model, simulation.state, faults, simulation.gauges);
   throw_if_any(faults);
 
   simulation.time = scene.time;

@@ -35,6 +35,7 @@ struct Simulation {
   std::vector<StageOfRun> stages;        ///< empty: the run has none; the one that runs is the last of Progress::stages
   std::vector<load::AnyLoad> all_loads;  ///< as the scene has them; the model has those of the stage that runs
   MeshWarnings mesh_warnings;
+  std::vector<std::string> gauges;       ///< of each probe at a place: which element it measures, a line each
 };
 
 /// Builds meshes, elements, planes, loads and contacts, and the state at the start.

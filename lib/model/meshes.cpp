@@ -9,6 +9,7 @@
 #include "mesh/adjacency.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
+#include "model/sets.hpp"
 
 namespace nereid::model {
 
@@ -128,8 +129,8 @@ void judge(const Body& body, const Part& here, const mesh::Mesh& mesh, Faults& f
   if (!doubtful.empty()) warnings.offenders.push_back(mesh::offenders(body.name, mesh, body.origin, doubtful));
   for (const std::string& doubt : body.origin.doubts) warnings.texts.push_back(body.name + ": of its file, " + doubt);
   if (body.origin.lonely > 0)
-    warnings.texts.push_back(body.name + ": " + counted(static_cast<std::size_t>(body.origin.lonely), "point") +
-                             " of its file without an element, left out");
+    warnings.texts.push_back(body.name + ": its file has " + counted(static_cast<std::size_t>(body.origin.lonely), "point") +
+                             " without an element (left out)");
 }
 
 /// The shortest way between two nodes of an element that are not at one place: the largest of its components. [m]
@@ -217,8 +218,8 @@ void warn_of_overlays(const Scene& scene, const mesh::Mesh& all, MeshWarnings& w
     if (told++ >= most) continue;
     std::sort(found.elements.begin(), found.elements.end());
     warnings.offenders.push_back(mesh::offenders(bodies[1], all, origin, {found}));
-    warnings.texts.push_back(bodies[1] + ": over " + bodies[0] + ", " + mesh::in_words(found, origin) + ": the same body twice? (" +
-                             mesh::where_shown + ")");
+    warnings.texts.push_back(bodies[1] + ": lies on " + bodies[0] + ", " + mesh::in_words(found, origin) +
+                             ": is the same body given twice? (" + mesh::where_shown + ")");
   }
   if (told > most) warnings.texts.push_back(counted(told - most, "more pair") + " of bodies that are laid over each other");
 }
@@ -318,6 +319,7 @@ mesh::Mesh make_mesh(const Scene& scene, Faults& faults, MeshWarnings& warnings)
       if (!(count_elements(body.mesh) <= most_elements)) throw InternalError("the mesh would have more than a hundred million elements");
       mesh::Mesh here = placed_mesh(body, faults, warnings);
       name_points(body, here, faults);
+      add_sets(body, here, faults);
       all = all.X.cols() == 0 ? here : mesh::join(all, here);
     } catch (const InternalError& error) {  // readers have refused such options, scenes made in C++ may have them
       refuse(faults, part("body", body), "mesh", error.what());

@@ -64,7 +64,7 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
       rows.push_back(formatted("%-14s by the exact shape of the rigid body%s", "", pair.other >= 0 ? " on each side" : ""));
   }
   if (bodies.count() > 0)
-    rows.push_back(formatted("%-14s %zu pairs of bodies are near of %d that may touch", "", found.size() + by_shapes.size(),
+    rows.push_back(formatted("%-14s near each other: %zu of the %d pairs of bodies that may touch", "", found.size() + by_shapes.size(),
                              pairs_that_touch(interface)));
   return rows;
 }
@@ -143,14 +143,14 @@ std::vector<std::string> gap_table(const Simulation& simulation) {
     table.push_back(formatted("%-14s %6d  %8d  %7d  %9d  %7d  %11d  ", interface.name.c_str(), g.apexes, g.by_kind[3], g.by_kind[2],
                               g.by_kind[1], g.without_base, g.penetrating) + gaps);
     if (g.behind > 0)
-      table.push_back(formatted("%-14s %d of %d apexes stand behind the base and are not in contact, as under a table", "", g.behind,
+      table.push_back(formatted("%-14s %d of %d apexes are behind the base and not in contact, as below a table", "", g.behind,
                                 g.apexes));
     for (const std::string& pair : pairs_found(simulation, c)) table.push_back(pair);
     for (const std::string& row : slight_overlaps(simulation, c)) table.push_back(row);
     if (!contact::by_multipliers(interface) && interface.bodies.count() == 0)
       table.push_back(formatted("%-14s penalty %.4g Pa/m", "", interface.penalty));
     if (g.free > 0)
-      table.push_back(formatted("%-14s %d of %d apexes are free: they stand past the border of the base or have none", "", g.free,
+      table.push_back(formatted("%-14s %d of %d apexes are free: they are beyond the border of the base or have no base", "", g.free,
                                 g.apexes));
   }
   return table;
@@ -172,8 +172,8 @@ std::vector<std::string> width_notes(const Simulation& simulation) {
     const auto& block = model.blocks[b];
     const element::Narrowest& at = of_blocks[b];
     if (at.gain < worth_saying || near * at.frequency < fastest) continue;
-    notes.push_back(formatted("%s: its step is that of element %d at (%.4g, %.4g, %.4g) m, only %.3g m wide along "
-                              "(%.3g, %.3g, %.3g) and %.3g m across; that width makes its step %.3g times smaller",
+    notes.push_back(formatted("%s: its step is limited by element %d at (%.4g, %.4g, %.4g) m, which is %.3g m wide along "
+                              "(%.3g, %.3g, %.3g) and %.3g m across; this width makes the step %.3g times smaller",
                               element::name(block).c_str(), at.element, at.centre.x(), at.centre.y(), at.centre.z(), at.width(0),
                               at.direction.x(), at.direction.y(), at.direction.z(), at.width(1), at.gain));
   }
@@ -244,7 +244,7 @@ std::vector<std::string> rounding_notes(const Simulation& simulation) {
     if (here / surface.smallest > most) worst = &surface, most = here / surface.smallest, rounding = here;
   }
   if (worst == nullptr || !(most > worth_saying)) return {};
-  return {formatted("%s: so far from the origin positions are rounded by %.2g m, %.2g of an element, and contact magnifies that: %s",
+  return {formatted("%s: this far from the origin, positions are rounded by %.2g m, %.2g of an element, and contact magnifies this: %s",
                     simulation.forces.audit.surfaces.names[static_cast<std::size_t>(worst->face_region[0])].c_str(), rounding, most,
                     words(Remedy::near_origin).words)};
 }
@@ -254,9 +254,10 @@ std::vector<std::string> depth_notes(const Simulation& simulation) {
   const auto look = [&notes](const auto& contact, double element, const auto& memory, Index node, bool may_have_multipliers) {
     if (!(element > 0 && memory.deepest > (0.5 + 1e-6) * element)) return;  // more than round-off beyond
     const bool soft = !contact::by_multipliers(contact);
-    notes.push_back(formatted("%s: node %d went %.3g m deep, %.3g of the depth of an element, at %.8g s: %stoo fast an approach",
+    notes.push_back(formatted("%s: node %d had a penetration of %.3g m, %.3g of the depth of an element, at %.8g s: %sthe approach is "
+                              "too fast",
                               contact.name.c_str(), node, memory.deepest, memory.deepest / element, memory.deepest_time,
-                              soft ? "too soft a penalty or " : "") +
+                              soft ? "the penalty is too soft or " : "") +
                     (soft && may_have_multipliers ? "; " + said(Remedy::firmer_contact) : ""));
   };
   const dynamics::Model& model = simulation.model;
@@ -300,7 +301,7 @@ std::vector<std::string> overlap_notes(const Simulation& simulation) {
     if (!joined) note += "; " + said(Remedy::declare_contact);
     notes.push_back(note);
   }
-  if (more > 0) notes.push_back(formatted("%zu more overlaps of bodies stand in the summary", more));
+  if (more > 0) notes.push_back(formatted("summary.json lists %zu more overlaps of bodies", more));
   return notes;
 }
 
@@ -412,12 +413,12 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
                                 seen.corner, seen.time) +
                       (pricked ? ": " + said(Remedy::spread_force) : ""));
     if (std::abs(std::log(seen.thinned.ratio)) > std::log(thickness_worth_saying))
-      notes.push_back(formatted("%s: plates keep their thickness, and the strain of element %d asks for %.3g of it at %.4g s: its forces "
-                                "are off by as much; %s",
+      notes.push_back(formatted("%s: plates keep their thickness, but with the strain of element %d it would be %.3g of the initial one at "
+                                "%.4g s: the forces of the element are wrong by this factor; %s",
                                 name, seen.thinned.element, seen.thinned.ratio, seen.thinned_at, words(Remedy::follow_strain).words));
     if (scale > 0 && seen.spin.energy > spin_worth_saying * scale)
-      notes.push_back(formatted("%s: nodes that spin about their normals, node %d fastest, had %.3g of the energy at %.4g s; with "
-                                "'drilling: 0' plates do not resist that; %s",
+      notes.push_back(formatted("%s: the spin of nodes about their normals, fastest at node %d, had %.3g of the energy of the scene at "
+                                "%.4g s; with 'drilling: 0' plates have no stiffness against it; %s",
                                 name, seen.spin.node, seen.spin.energy / scale, seen.spin.time, words(Remedy::drilling).words));
     const auto of_internal = [&](double energy) { return dynamics::of_internal(seen, energy, scale); };
     if (of_internal(seen.distortion) > control_worth_saying)
@@ -437,13 +438,13 @@ std::vector<std::string> quality_notes(const Simulation& simulation) {
 std::vector<std::string> mesh_warnings(const Simulation& simulation) {
   std::vector<std::string> notes;
   if (const Concentrated seen = concentrated(simulation); seen.part > concentration_worth_a_warning) {
-    const std::string single = formatted("%.3g of the strain energy of all solids is concentrated in single elements, most of it there "
-                                         "(limit %.3g)", seen.part, concentration_worth_a_warning);
-    const std::string rate = formatted("; of such runs, of 2 to 4 elements a side, %.2g %% change by more than 5 %% on a mesh twice as "
-                                       "fine: ", of_warned);
+    const std::string single = formatted("%.3g of the strain energy of all solids is concentrated in single elements, most of it in this "
+                                         "body (limit %.3g)", seen.part, concentration_worth_a_warning);
+    const std::string rate = formatted("; in tests with 2 to 4 elements a side, %.2g %% of such runs changed by more than 5 %% on a mesh "
+                                       "twice as fine: ", of_warned);
     notes.push_back(element::name(simulation.model.blocks[seen.block]) + ": " +
                     (seen.pricked ? single + ": " + said(Remedy::spread_force)
-                                  : "bodies of the scene flow, and " + single + rate + said(Remedy::finer_mesh)));
+                                  : "bodies of the scene deform plastically, and " + single + rate + said(Remedy::finer_mesh)));
   }
   return notes;
 }
@@ -455,12 +456,15 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
   const element::Contrast all = dynamics::contrast(now);
   bool warned = concentrated(simulation).part > concentration_worth_a_warning;  // which says more
   for (std::size_t b = 0; b < model.blocks.size(); ++b) warned = warned || by_springs(simulation, b) > springs_worth_a_warning;
-  const std::string then = formatted(": the run cannot tell the error of its mesh; of such runs, of 2 to 4 elements a side, %.2g %% change "
-                                     "by more than 5 %% on a mesh twice as fine: ", of_noted) + said(Remedy::estimate_error);
+  const std::string then = formatted(": one run cannot estimate the error of its mesh; in tests with 2 to 4 elements a side, %.2g %% of "
+                                     "such runs changed by more than 5 %% on a mesh twice as fine: ", of_noted) +
+                           said(Remedy::estimate_error);
   if (!warned && all.bending > bending_worth_a_note) {
     const std::size_t b = most_unlike(simulation, [](const element::Contrast& one) { return one.bending; });
     notes.push_back(formatted("%s: hourglass energy above that of the neighbours is %.3g of the strain energy of all solids, most of it "
-                              "there (limit %.3g)", element::name(model.blocks[b]).c_str(), all.bending, bending_worth_a_note) + then);
+                              "in this body (limit %.3g)",
+                              element::name(model.blocks[b]).c_str(), all.bending, bending_worth_a_note) +
+                    then);
   }
   const double scale = dynamics::energy_of_scene(now.ledger);
   std::vector<std::string> plates, plastic, of_one_point;  // names
@@ -472,7 +476,7 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
                                                                 dynamics::of_internal(seen, seen.artificial, scale)));
   }
   if (!plates.empty())
-    notes.push_back(joined(plates) + ": no measure of one run tells the error of a mesh of plates: " + said(Remedy::estimate_error));
+    notes.push_back(joined(plates) + ": one run cannot estimate the error of a mesh of plates: " + said(Remedy::estimate_error));
   for (std::size_t p = 0; p < simulation.probes.size() && p < now.probes.size(); ++p) {
     const dynamics::Probe& probe = simulation.probes[p];
     if (probe.follows_mesh != dynamics::FollowsMesh::no && now.probes[p].largest > 0)
@@ -480,15 +484,15 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
     if (probe.footing < 0 || static_cast<std::size_t>(probe.footing) >= now.footings.size()) continue;
     const double nodes = now.footings[static_cast<std::size_t>(probe.footing)].nodes;
     if (nodes > 0 && nodes < nodes_worth_no_note)
-      notes.push_back(formatted("%s: the largest force of this contact was carried by %.2g nodes (fewer than %g), and such a peak follows "
+      notes.push_back(formatted("%s: the largest force of this contact acted on %.2g nodes (fewer than %g), and such a peak depends on "
                                 "the mesh: ", probe.name.c_str(), nodes, nodes_worth_no_note) + said(Remedy::estimate_error));
   }
-  const char* follows = ": a largest plastic strain follows the mesh: ";
+  const char* follows = ": the largest plastic strain depends on the mesh: ";
   if (!of_one_point.empty()) notes.push_back(joined(of_one_point) + follows + said(Remedy::eight_points));
   if (!plastic.empty()) notes.push_back(joined(plastic) + follows + said(Remedy::estimate_error));
   if (const std::vector<std::string> give_back = contacts_that_give_back(simulation); !give_back.empty())
-    notes.push_back(joined(give_back) + ": bodies of the scene flow, and 'restitution' gives back what a layer of elements loses at its "
-                                        "first touch, more than metal can: docs/scene.md");
+    notes.push_back(joined(give_back) + ": bodies of the scene deform plastically, and 'restitution' returns the energy that a layer of "
+                                        "elements loses at first touch, which is more than metal returns: docs/scene.md");
   return notes;
 }
 
@@ -598,11 +602,12 @@ std::vector<std::string> energy_notes(const Simulation& simulation) {
   look("time integration", ledger.worst_kept, std::abs(ledger.worst_kept), of_scene, limit);
   const double swing = dynamics::swing_part(ledger);
   if (swing > limit && !(std::abs(ledger.worst_kept) > worth_a_warning * limit))  // one of both is said; what swings comes back
-    notes.push_back("time integration: the kinetic energy swung by " + percent(swing) + " of the energy " + of_scene +
-                    ", and came back; " + said(Remedy::shorter_step));
+    notes.push_back("time integration: the staggering error of the kinetic energy reached " + percent(swing) + " of the energy " +
+                    of_scene + ", and did not last; " + said(Remedy::shorter_step));
   for (const Held& held : held_by_open_contacts(simulation))
     if (held.open > worth_a_warning * limit * held.passed && held.open > dynamics::least_share * scene)
-      notes.push_back(formatted("%s: its bodies do not touch at the end, and it has not given back %.2g J of %.2g J that it transferred, ",
+      notes.push_back(formatted("%s: its bodies do not touch at the end, and the contact still holds %.2g J of the %.2g J that it "
+                                "transferred, ",
                                 held.contact.c_str(), held.open, held.passed) +
                       percent(held.open / held.passed) + ": they separate too slowly");
   return notes;
@@ -635,7 +640,7 @@ std::string energy_line(const Simulation& simulation) {
     dissipated += dynamics::dissipated(account);
     created += dynamics::created(account) - dynamics::overdrawn(account);
   }
-  return formatted("energy: %.4g J at the start and %.4g J from outside are now %.4g J kinetic, %.4g J stored, %.4g J dissipated; "
+  return formatted("energy: %.4g J at the start and %.4g J of external work became %.4g J kinetic, %.4g J stored, %.4g J dissipated; "
                    "created %.2g J, time integration %.2g J",
                    ledger.initial_kinetic + dynamics::initial_stored(ledger), outside, ledger.kinetic, stored, dissipated, created,
                    ledger.integration);

@@ -1,9 +1,12 @@
 #include "model/probes.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "base/words.hpp"
 #include "dynamics/measure.hpp"
+#include "model/sets.hpp"
 
 namespace nereid::model {
 
@@ -79,6 +82,9 @@ struct Measuring {
   Measure operator()(double (*value)(const View&, const Subset&, int)) const {
     return [value, nodes = nodes, axis = along[0] - 'x'](const View& view, Kept&) { return value(view, nodes, axis); };
   }
+  Measure operator()(Vec3 (*value)(const View&, const Subset&, Kept&)) const {
+    return component(along, Vec3::Zero(), [value, nodes = nodes](const View& view, Kept& kept) { return value(view, nodes, kept); });
+  }
   Measure operator()(Vec3 (*value)(const View&, const std::vector<std::size_t>&)) const {
     return component(along, Vec3::Zero(), [value, passes = passes](const View& view, Kept&) { return value(view, passes); });
   }
@@ -87,7 +93,7 @@ struct Measuring {
   }
 };
 
-/// The regions of a body from a file, or the body itself: places in Model::blocks.
+/// The regions of a body from a file, or the body itself: places in Model::blocks. Of a set with elements the blocks of its body.
 std::vector<std::size_t> blocks_of(const dynamics::Model& model, const std::string& body) {
   std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
@@ -120,8 +126,113 @@ void check_place(const Probe& probe, const dynamics::Model& model, const std::ve
   }
 }
 
-Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
-  const std::vector<std::size_t> blocks = blocks_of(model, probe.of);
+/// Which elements of some blocks a probe measures: all, those of a set, or the nearest to a place.
+struct MeasuredElements {
+  std::vector<std::size_t> blocks;
+  std::optional<dynamics::PickedElements> picked;  ///< none: all of the blocks
+};
+
+using ElementsOfBlock = std::vector<Index>;
+
+dynamics::PickedElements pick(const dynamics::Model& model, const std::vector<std::size_t>& blocks,
+                              const std::vector<ElementsOfBlock>& elements) {
+  dynamics::PickedElements picked;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (elements[i].empty()) continue;
+    picked.blocks.push_back(blocks[i]), picked.picked.push_back(element::pick(model.blocks[blocks[i]], elements[i]));
+  }
+  return picked;
+}
+
+/// The elements of a set of a body, block by block; nothing if the name is none of such a set.
+std::optional<std::vector<ElementsOfBlock>> elements_of_set(const std::string& name, const Scene& scene, const dynamics::Model& model,
+                                                            const std::vector<std::size_t>& blocks) {
+  for (const Body& body : scene.bodies) {
+    if (!belongs(name, body) || name.size() <= body.name.size()) continue;
+    const std::string set = name.substr(body.name.size() + 1);
+    if (!has_elements(body, set)) return std::nullopt;
+    std::vector<ElementsOfBlock> all;
+    for (const std::size_t b : blocks) {
+      const std::vector<char> inside = elements_in(body, set, model.mesh.X, element::nodes(model.blocks[b]));
+      all.emplace_back();
+      for (std::size_t e = 0; e < inside.size(); ++e)
+        if (inside[e] != 0) all.back().push_back(static_cast<Index>(e));
+    }
+    return all;
+  }
+  return std::nullopt;
+}
+
+/// Of some elements those whose middles are nearest to a place; several that are equally near to 1e-6 of the distance or of the body.
+std::vector<ElementsOfBlock> nearest_of(const Vec3& near, const dynamics::Model& model, const std::vector<std::size_t>& blocks,
+                                        std::vector<ElementsOfBlock> elements, double size) {
+  constexpr double same = 1e-6;
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<Vectors> middle;
+  for (const std::size_t b : blocks) middle.push_back(middles(model.mesh.X, element::nodes(model.blocks[b])));
+  const auto away = [&](std::size_t i, Index e) { return (middle[i].col(e) - near).norm(); };
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    for (const Index e : elements[i]) least = std::min(least, away(i, e));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    ElementsOfBlock& here = elements[i];
+    here.erase(std::remove_if(here.begin(), here.end(), [&](Index e) { return away(i, e) > least + same * size; }), here.end());
+  }
+  return elements;
+}
+
+/// The size of the part of the mesh that some elements are. [m]
+double size_of(const dynamics::Model& model, const std::vector<std::size_t>& blocks, const Vec3& near, double& beside) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const std::size_t b : blocks)
+    for (const Index node : element::nodes(model.blocks[b]).reshaped()) {
+      low = low.cwiseMin(model.mesh.X.col(node)), high = high.cwiseMax(model.mesh.X.col(node));
+    }
+  beside = (near - near.cwiseMax(low).cwiseMin(high)).norm();
+  return (high - low).norm();
+}
+
+/// The elements that a probe measures.
+MeasuredElements elements_of(const Probe& probe, const Scene& scene, const dynamics::Model& model, Faults& faults) {
+  MeasuredElements measured{blocks_of(model, probe.of), {}};
+  std::optional<std::vector<ElementsOfBlock>> chosen;
+  if (measured.blocks.empty()) {  // a set
+    measured.blocks = blocks_of(model, probe.of.substr(0, probe.of.find('.')));
+    chosen = elements_of_set(probe.of, scene, model, measured.blocks);
+    if (chosen && std::all_of(chosen->begin(), chosen->end(), [](const auto& one) { return one.empty(); })) {
+      refuse(faults, part("probe", probe), "of", "'of' = " + probe.of + " has no elements: no middle of one lies in it");
+      return measured;
+    }
+  }
+  if (probe.near) {
+    if (!chosen) {
+      chosen.emplace();
+      for (const std::size_t b : measured.blocks) {
+        chosen->emplace_back(static_cast<std::size_t>(element::tiling(model.blocks[b]).elements));
+        for (std::size_t e = 0; e < chosen->back().size(); ++e) chosen->back()[e] = static_cast<Index>(e);
+      }
+    }
+    double beside = 0;
+    const double size = size_of(model, measured.blocks, *probe.near, beside);
+    if (beside > 1e-3 * size)
+      refuse(faults, part("probe", probe), "near", formatted("'near' lies %.4g m beside '%s'", beside, probe.of.c_str()));
+    chosen = nearest_of(*probe.near, model, measured.blocks, std::move(*chosen), size);
+  }
+  if (!chosen) return measured;
+  const dynamics::PickedElements picked = pick(model, measured.blocks, *chosen);
+  measured.blocks = picked.blocks;  // places and variables are judged by what is measured alone
+  measured.picked = picked;
+  return measured;
+}
+
+/// Weights of the components of a tensor whose sum is its value along a unit vector n:  n . S n.
+std::array<double, 6> weights_along(const Vec3& n) {
+  return {n.x() * n.x(), n.y() * n.y(), n.z() * n.z(), 2 * n.x() * n.y(), 2 * n.y() * n.z(), 2 * n.x() * n.z()};
+}
+
+Measure of_body(const Probe& probe, int row, const Scene& scene, const dynamics::Model& model, const dynamics::State& at_start,
+                Faults& faults) {
+  const MeasuredElements elements = elements_of(probe, scene, model, faults);
+  const std::vector<std::size_t>& blocks = elements.blocks;
   check_place(probe, model, blocks, faults);
   bool measured = true;
   for (const std::size_t b : blocks) {
@@ -135,12 +246,44 @@ Measure of_body(const Probe& probe, int row, const dynamics::Model& model, const
            "'quantity' = " + probe.quantity + ": the material of " + probe.of + " has no such variable");
   if (!faults.empty()) return {};
   const auto take = probe.largest ? dynamics::Take::largest : dynamics::Take::mean;
-  return [blocks, quantity = probe.quantity, place = element::place_of(probe.place), row, take](const View& view, Kept&) {
-    return dynamics::of_body(view, blocks, {quantity, place}, row, take);
+  const auto value = [elements, quantity = probe.quantity, place = element::place_of(probe.place), take](const View& view, int component) {
+    const element::Shown shown{quantity, place};
+    return elements.picked ? dynamics::of_elements(view, *elements.picked, shown, component, take)
+                           : dynamics::of_body(view, elements.blocks, shown, component, take);
+  };
+  if (!probe.along) return [value, row](const View& view, Kept&) { return value(view, row); };
+  return [value, weight = weights_along(*probe.along)](const View& view, Kept&) {
+    double sum = 0;
+    for (int c = 0; c < 6; ++c)
+      if (weight[static_cast<std::size_t>(c)] != 0) sum += weight[static_cast<std::size_t>(c)] * value(view, c);
+    return sum;
   };
 }
 
+/// Of two bodies in an automatic contact.
+Measure of_pair(const Probe& probe, const std::string& along, const dynamics::Model& model, Faults& faults) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto touches = [&](const contact::AnyContact& any) {
+      const auto& names = contact::sides(any).bodies.names;
+      return std::find(names.begin(), names.end(), probe.between[i]) != names.end();
+    };
+    const auto contacts = passes(model, probe.of);
+    if (std::none_of(contacts.begin(), contacts.end(), [&](std::size_t c) { return touches(model.contacts[c]); }))
+      refuse(faults, part("probe", probe), "between[" + std::to_string(i) + "]",
+             quote(probe.between[i]) + " is not in the contact " + quote(probe.of));
+  }
+  if (along == "normal") refuse(faults, part("probe", probe), "component", "'component' = normal: a pair of bodies has no normal");
+  if (probe.quantity == "impulse")
+    return component(along, Vec3::Zero(), [name = probe.of, of = probe.between](const View& view, Kept&) {
+      return dynamics::pair_impulse(view, name, of[0], of[1]);
+    });
+  return component(along, Vec3::Zero(), [name = probe.of, of = probe.between](const View& view, Kept& kept) {
+    return dynamics::mean_pair_force(view, name, of[0], of[1], kept);
+  });
+}
+
 Measure of_source(const Probe& probe, const std::string& along, const dynamics::Model& model, Faults& faults) {
+  if (!probe.between[0].empty()) return of_pair(probe, along, model, faults);
   const auto here = [&](const auto& one) { return one.name == probe.of; };
   const auto contacts = passes(model, probe.of);
   const auto rigid = std::find_if(model.rigid_planes.begin(), model.rigid_planes.end(), here);
@@ -171,7 +314,7 @@ Measure of_source(const Probe& probe, const std::string& along, const dynamics::
   const auto spring = std::find_if(model.loads.begin(), model.loads.end(), [&](const auto& load) { return load::name(load) == probe.of; });
   if (total && spring != model.loads.end() && load::is_spring(*spring))
     refuse(faults, part("probe", probe), "quantity",
-           "'quantity' = impulse: " + probe.of + " is a spring, which gives both of its ends opposite ones; its force is that on 'from'");
+           "'quantity' = impulse: " + probe.of + " is a spring, whose ends have opposite impulses; its force is that on 'from'");
   if (total) {
     const std::size_t source = dynamics::source_of(model, probe.of);
     return component(along, normal, [source](const View& view, Kept&) { return view.now.ledger.accounts[source].impulse; });
@@ -201,6 +344,14 @@ Measure of_surface(const Probe& probe, const dynamics::Model& model, const dynam
 /// Place of the probe's component; faults for one that there is not.
 int component_of(const Probe& probe, const Measurable& quantity, Faults& faults) {
   const auto& names = quantity.components;
+  if (probe.along && !is_tensor(quantity))
+    refuse(faults, part("probe", probe), "along", "'along': " + quantity.name + " is no tensor and has no value along a direction");
+  if (probe.along && probe.largest)
+    refuse(faults, part("probe", probe), "take",
+           "'take' = largest: along a direction a probe has the mean, or the value of the element at 'near'");
+  if (probe.along && !probe.component.empty())
+    refuse(faults, part("probe", probe), "component", "'component' and 'along' are two directions: give one of them");
+  if (probe.along) return 0;
   if (probe.component.empty() && quantity.required)
     refuse(faults, part("probe", probe), "component", "'component' is missing: one of " + joined(names));
   if (probe.component.empty()) return 0;
@@ -209,11 +360,11 @@ int component_of(const Probe& probe, const Measurable& quantity, Faults& faults)
   return at == names.end() ? 0 : static_cast<int>(at - names.begin());
 }
 
-Measure measure(const Probe& probe, const Measurable& quantity, const dynamics::Model& model, const dynamics::State& at_start,
-                Faults& faults) {
+Measure measure(const Probe& probe, const Measurable& quantity, const Scene& scene, const dynamics::Model& model,
+                const dynamics::State& at_start, Faults& faults) {
   const int row = component_of(probe, quantity, faults);
   const std::string along = quantity.components.empty() ? "x" : quantity.components[static_cast<std::size_t>(row)];
-  if (quantity.of == Of::body) return of_body(probe, row, model, at_start, faults);
+  if (quantity.of == Of::body) return of_body(probe, row, scene, model, at_start, faults);
   if (quantity.of == Of::source) return of_source(probe, along, model, faults);
   if (quantity.of == Of::surface) return of_surface(probe, model, at_start, faults);
   if (quantity.of == Of::section)
@@ -227,7 +378,7 @@ Measure measure(const Probe& probe, const Measurable& quantity, const dynamics::
 /// Whether a probe is of means over time: of forces, but for those of springs, which are known at any moment.
 bool is_mean(const Probe& probe, const dynamics::Model& model) {
   const auto is_it = [&](const load::AnyLoad& load) { return load::name(load) == probe.of && load::is_spring(load); };
-  return probe.quantity == "force" && std::none_of(model.loads.begin(), model.loads.end(), is_it);
+  return probe.quantity == "acceleration" || (probe.quantity == "force" && std::none_of(model.loads.begin(), model.loads.end(), is_it));
 }
 
 dynamics::FollowsMesh follows_mesh(const Probe& probe, const dynamics::Model& model) {
@@ -258,6 +409,7 @@ const std::vector<Measurable>& measurables() {
     std::vector<Measurable> list{
         {"displacement", "m", Of::nodes, of_vectors, false, dynamics::mean_displacement},
         {"velocity", "m/s", Of::nodes, of_vectors, false, dynamics::mean_velocity},
+        {"acceleration", "m/s^2", Of::nodes, of_vectors, false, dynamics::mean_acceleration},
         {"position", "m", Of::nodes, axes, true, dynamics::mean_position},
         {"extent", "m", Of::nodes, axes, true, dynamics::extent},
         {"radius", "m", Of::nodes, axes, true, dynamics::radius},
@@ -291,10 +443,63 @@ const Measurable* find_measurable(const std::string& quantity) {
   return nullptr;
 }
 
-dynamics::Probe make_probe(const Probe& probe, const dynamics::Model& model, const dynamics::State& at_start, Faults& faults) {
-  const Measurable* quantity = find_measurable(probe.quantity);
-  return {probe.name, quantity->unit, measure(probe, *quantity, model, at_start, faults), is_mean(probe, model),
-          follows_mesh(probe, model), footing_of(probe, model)};
+bool is_tensor(const Measurable& quantity) { return quantity.components == of_tensors; }
+
+namespace {
+
+/// Which element a probe at a place measures.
+std::string gauge_line(const Probe& probe, const Scene& scene, const dynamics::Model& model, Faults& faults) {
+  const MeasuredElements measured = elements_of(probe, scene, model, faults);
+  if (!measured.picked) return "";
+  const dynamics::PickedElements& picked = *measured.picked;
+  std::size_t count = 0;
+  for (const element::Picked& one : picked.picked) count += one.place.size();
+  const element::AnyBlock& block = model.blocks[picked.blocks[0]];
+  const Index element = element::tiling(block).element[picked.picked[0].place[0]];
+  const double away = (middles(model.mesh.X, element::nodes(block)).col(element) - *probe.near).norm();
+  const std::string which = count == 1 ? "element " + std::to_string(element) + " of '" + element::name(block) + "', whose middle lies"
+                                       : "the mean of " + std::to_string(count) + " elements of '" + probe.of + "', whose middles lie";
+  return formatted("gauge '%s': %s %.3g m from its place", probe.name.c_str(), which.c_str(), away);
+}
+
+/// A probe that is computed from those before it.
+dynamics::Probe make_formula(const Probe& probe, const Scene& scene, const std::vector<dynamics::Probe>& before, Faults& faults) {
+  dynamics::Probe made{.name = probe.name, .unit = probe.formula.unit, .value = {}};
+  std::vector<std::string> names;
+  for (std::size_t p = 0; p < before.size(); ++p) names.push_back(scene.probes[p].name);
+  for (const std::string& input : probe.formula.inputs) {
+    const auto at = std::find(names.begin(), names.end(), input);
+    expect(faults, part("probe", probe), "value", input, "probes above it", names);
+    if (at == names.end()) continue;
+    made.inputs.push_back(static_cast<std::size_t>(at - names.begin()));
+    made.is_mean = made.is_mean || before[made.inputs.back()].is_mean;
+  }
+  made.formula = probe.formula.value;
+  return made;
+}
+
+}  // namespace
+
+std::vector<dynamics::Probe> make_probes(const Scene& scene, const dynamics::Model& model, const dynamics::State& at_start,
+                                         Faults& faults, std::vector<std::string>& gauges) {
+  std::vector<dynamics::Probe> made;
+  for (const Probe& probe : scene.probes) {
+    if (probe.formula.value) {
+      made.push_back(make_formula(probe, scene, made, faults));
+      continue;
+    }
+    const Measurable* quantity = find_measurable(probe.quantity);
+    if (probe.near && faults.empty()) gauges.push_back(gauge_line(probe, scene, model, faults));
+    made.push_back({.name = probe.name,
+                    .unit = quantity->unit,
+                    .value = measure(probe, *quantity, scene, model, at_start, faults),
+                    .is_mean = is_mean(probe, model),
+                    .follows_mesh = follows_mesh(probe, model),
+                    .inputs = {},
+                    .formula = {},
+                    .footing = footing_of(probe, model)});
+  }
+  return made;
 }
 
 }  // namespace nereid::model

@@ -10,11 +10,12 @@ namespace nereid::model {
 /// Of what something is measured: `any_contact` of automatic ones too, which have both sides in one.
 enum class Of { nodes, body, contact, any_contact, source, section, surface };
 
-/// How it is measured: a vector or a number of a node set, a number of a node set along or about an axis, a number of the
-/// passes of a contact. Numbers of bodies are fields of their elements with the same name, and forces have a way of their own.
+/// How it is measured: a vector or a number of a node set, a number of a node set along or about an axis, a mean over time of a node set,
+/// a number of the passes of a contact. Numbers of bodies are fields of their elements with the same name, forces those of their source.
 using Measurement = std::variant<std::monostate, Vec3 (*)(const dynamics::View&, const Subset& nodes),
                                  double (*)(const dynamics::View&, const Subset& nodes),
                                  double (*)(const dynamics::View&, const Subset& nodes, int axis),
+                                 Vec3 (*)(const dynamics::View&, const Subset& nodes, dynamics::Kept&),
                                  Vec3 (*)(const dynamics::View&, const std::vector<std::size_t>& passes),
                                  double (*)(const dynamics::View&, const std::vector<std::size_t>& passes)>;
 
@@ -33,10 +34,16 @@ const std::vector<Measurable>& measurables();
 /// The one of that name, or null.
 const Measurable* find_measurable(const std::string& quantity);
 
-/// The probe of a scene as a run samples it. Node sets, bodies, contacts and sources of these names must exist.
+/// Whether a quantity of elements has a value along a direction: a tensor.
+bool is_tensor(const Measurable&);
+
+/// The probes of a scene as a run samples them. Node sets, bodies, contacts and sources of these names must exist.
 ///
 /// Faults: quantities and components that there are not, variables that a body's material does not have, the normal of
-/// what is no plane. After a fault the probe measures nothing.
-dynamics::Probe make_probe(const Probe&, const dynamics::Model&, const dynamics::State& at_start, Faults&);
+/// what is no plane, places beside the body, elements that there are not. After a fault the probe measures nothing.
+///
+/// gauges  of each probe at a place, which element it measures: a line is added
+std::vector<dynamics::Probe> make_probes(const Scene&, const dynamics::Model&, const dynamics::State& at_start, Faults&,
+                                         std::vector<std::string>& gauges);
 
 }  // namespace nereid::model

@@ -15,17 +15,16 @@ namespace {
 constexpr double steps_of_rigid_scenes = 1000;  // in a run, at least
 constexpr double same_velocity = 1e-6;          // of velocities: expressions of place have some digits
 
-double density(const element::AnyLaw& law) {
-  return std::visit([](const auto& one) { return one.density; }, law);
-}
-
 rigid::MassProperties mass_of(const Body& body, const dynamics::Model& model, const Subset& nodes) {
   const Vec3 about = model.mesh.X.col(nodes.front());
   rigid::Moments sum;
-  for (const mesh::Hexahedra& region : model.mesh.hexahedra)
-    if (belongs(region.name, body)) rigid::add_hexahedra(model.mesh.X, region.nodes, density(body.law), about, sum);
-  for (const mesh::Triangles& region : model.mesh.triangles)
-    if (belongs(region.name, body)) rigid::add_plates(model.mesh.X, region.nodes, density(body.law), body.plate.thickness, about, sum);
+  for (const element::AnyBlock& block : model.blocks) {
+    if (!belongs(element::name(block), body)) continue;
+    const element::Connectivity& corners = element::nodes(block);
+    const double density = std::visit([](const auto& one) { return one.law.density; }, block);
+    if (corners.rows() == 8) rigid::add_hexahedra(model.mesh.X, corners, density, about, sum);
+    else rigid::add_plates(model.mesh.X, corners, density, body.plate.thickness, about, sum);
+  }
   for (const load::PointMass& point : model.point_masses)
     for (const Index node : point.nodes)
       if (std::binary_search(nodes.begin(), nodes.end(), node))
@@ -195,7 +194,7 @@ dynamics::HeldBody hold(const Scene& scene, const load::Constraints& constraints
   if (!found)
     refuse(faults, here, "nodes",
            "planes would leave the rigid body " + quote(body.name) + " a turn that is not about one axis through its centre: a hinge or a "
-           "ball joint is not there yet; hold a whole face, or use springs");
+           "ball joint is not available; hold a whole face, or use springs");
   else
     body.hold = *found;
   // fixed planes first, as of nodes: shares between three axes and one more plane would depend on the axes
@@ -255,8 +254,8 @@ void refuse_late_holds(const Scene& scene, const load::Constraints& before, cons
     for (const rigid::Body& body : model.rigid_bodies)
       if (std::find_first_of(body.nodes.begin(), body.nodes.end(), plane.nodes.begin(), plane.nodes.end()) != body.nodes.end())
         refuse(faults, part_of(scene, plane), "nodes",
-               quote(plane.name) + " would come to hold the rigid body " + quote(body.name) +
-                   ", which may have turned: let it act from the start, or say 'fixed'");
+               quote(plane.name) + " begins to hold the rigid body " + quote(body.name) +
+                   " in a later stage, when this may have turned: let it act from the start, or say 'fixed'");
   }
 }
 
@@ -290,7 +289,7 @@ void check_rigid_bodies(const Scene& scene, const dynamics::Model& model, const 
   for (const Contact& contact : scene.contacts) {
     const bool tied = contact.interface.kind == contact::InterfaceKind::tied;
     if (tied && contact.interface.method == contact::Method::multiplier && (is_of_rigid(contact.apexes) || is_of_rigid(contact.base)))
-      refuse(faults, part("contact", contact), "kind", "a tie to a rigid body is not there yet by multipliers: say 'method: penalty'");
+      refuse(faults, part("contact", contact), "kind", "a tie by multipliers to a rigid body is not available: say 'method: penalty'");
   }
   for (const Initial& initial : scene.initial)
     if (initial.displacement && find(initial.body) != model.rigid_bodies.end())

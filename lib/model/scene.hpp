@@ -11,6 +11,7 @@
 // part is its path in a case, as in "bodies[0]"; it is empty for scenes made in C++.
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -56,6 +57,33 @@ struct Point {
   std::string at = {};
 };
 
+/// A part of space, with its boundary.
+struct Zone {
+  enum class Kind { box, cylinder, sphere, plane, half_space } kind = Kind::box;
+  Vec3 from = Vec3::Zero();   ///< [m] lowest corner of a box, end of a cylinder's axis, centre of a sphere, point of a plane
+  Vec3 to = Vec3::Zero();     ///< [m] highest corner of a box, other end of a cylinder's axis
+  Vec3 normal = Vec3::UnitZ();  ///< unit vector, of a plane and of a half space, which lies ahead of it
+  double radius = 0;          ///< [m] of a cylinder or a sphere
+};
+
+/// A name for the nodes of a body in a zone, for the part of its skin between them, and for the elements whose middles lie there; or for
+/// what several sets make. Each of the four lists names sets of the body that come before it, or node sets of its mesh, which have no
+/// elements; a set has one of the first three.
+struct Set {
+  std::string name;
+  std::optional<Zone> zone = {};             ///< where the body stands
+  std::vector<std::string> any_of = {}, all_of = {};
+  std::vector<std::string> without = {};     ///< what of this is taken out again
+  std::string at = {};
+};
+
+/// A material of a part of a body.
+struct PartMaterial {
+  std::string of;                            ///< a region of the mesh or one of `sets`
+  element::AnyLaw law = {};
+  std::string at = {};
+};
+
 /// Mass properties of a rigid body that are given; what is not follows from mesh and density.
 struct GivenMass {
   std::optional<double> mass = {};     ///< [kg]
@@ -90,7 +118,9 @@ struct Body {
   Field map = {};                             ///< [m] where the nodes of the mesh go before it is placed; empty: they stay
   Placement place = {};
   std::vector<Point> points = {};
+  std::vector<Set> sets = {};
   element::AnyLaw law = {};
+  std::vector<PartMaterial> parts = {};       ///< materials of parts that are not of `law`; of those that overlap the last one counts
   element::AnyHexahedronOptions solid = {};   ///< of the solids in the mesh; those of fluids for a fluid
   element::Plate::Options plate = {};         ///< of the plates in the mesh
   bool rigid = false;                         ///< it moves as one, and its elements compute nothing
@@ -207,14 +237,25 @@ struct Stage {
   std::string at = {};
 };
 
+/// A number that is computed from probes.
+struct Formula {
+  std::vector<std::string> inputs = {};      ///< names of probes that come before it
+  std::function<double(const std::vector<double>& inputs, double t)> value = {};  ///< empty: there is none
+  std::string unit = {};                     ///< SI
+};
+
 /// A number that is measured, a column of the history.
 struct Probe {
   std::string name;
-  std::string quantity;                      ///< one of measurables()
-  std::string of;                            ///< node set, body, contact or source of force
+  std::string quantity = {};                 ///< one of measurables(); of none with a formula
+  std::string of = {};                       ///< node set, body, region, element set, contact or source of force
   std::string component = {};                ///< one of Measurable::components; empty: the first
   bool largest = false;                      ///< of a body: the largest of its elements, else the mean
   std::string place = {};                    ///< of a body of plates: one of element::words_of_places
+  std::optional<Vec3> near = {};             ///< [m] of a body: of the element whose middle is nearest to it at the start; a gauge
+  std::optional<Vec3> along = {};            ///< of stress and strain: that along this unit vector, in place of a component
+  std::array<std::string, 2> between = {};   ///< bodies of an automatic contact: the force on the first of them by the second
+  Formula formula = {};
   std::string at = {};
 };
 

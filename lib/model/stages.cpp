@@ -43,7 +43,7 @@ void check_off(const Scene& scene, const Stage& stage, Faults& faults) {
   for (const Load& load : scene.loads) can_be_off.push_back(load.name);
   for (std::size_t i = 0; i < stage.off.size(); ++i) {
     const std::string key = "off[" + std::to_string(i) + "]", why = always_on(scene, stage.off[i]);
-    if (!why.empty()) refuse(faults, part_of(stage), key, quote(stage.off[i]) + " is " + why + ", which is on in all stages");
+    if (!why.empty()) refuse(faults, part_of(stage), key, quote(stage.off[i]) + " is " + why + ", which acts in all stages");
     else expect(faults, part_of(stage), key, stage.off[i], "planes and loads that can be off", can_be_off);
   }
 }
@@ -52,7 +52,7 @@ void refuse_velocities(const std::vector<Initial>& initial, const char* what, Fa
   for (const Initial& one : initial)
     if (!one.displacement)
       refuse(faults, {one.at, "initial motion of '" + one.body + "'"}, "velocity",
-             quote(one.body) + " is meant to move, and " + what + " would bring it to rest: give the velocity in a later stage");
+             quote(one.body) + " has a velocity, and " + what + " would bring it to rest: give the velocity in a later stage");
 }
 
 bool is_on(const StageOfRun& stage, const std::string& name) { return !has(stage.off, name); }

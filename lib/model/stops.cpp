@@ -41,8 +41,8 @@ std::string steady(const Stop& stop, const char* unit, ConditionMemory& now) {
   now.mean = now.integral / span;
   now.integral = 0, now.since = now.time;
   if (!(std::abs(now.mean - before) <= stop.value)) return "";  // no window before is no number
-  return formatted("the mean of %s over %.4g s went from %.6g to %.6g %s, by no more than %.4g %s", stop.probe.c_str(), stop.span, before,
-                   now.mean, unit, stop.value, unit);
+  return formatted("the mean of %s over %.4g s changed from %.6g to %.6g %s, by no more than %.4g %s", stop.probe.c_str(), stop.span,
+                   before, now.mean, unit, stop.value, unit);
 }
 
 std::string at_rest(const Stop& stop, double scale, ConditionMemory& now) {
@@ -53,7 +53,7 @@ std::string at_rest(const Stop& stop, double scale, ConditionMemory& now) {
   }
   if (now.since < 0) now.since = now.time;
   if (!(now.time - now.since >= stop.span)) return "";
-  return formatted("the kinetic energy is below %.4g of the %s since %.6g s", stop.part,
+  return formatted("the kinetic energy has been below %.4g of the %s since %.6g s", stop.part,
                    stop.of_scene ? "energy of the scene" : "largest one", now.since);
 }
 

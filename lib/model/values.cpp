@@ -86,26 +86,52 @@ Values strength(const material::J2JohnsonCook& law) {
           {"temperature", f.temperature, not_negative, "K"}};
 }
 
-void check_law(const Body& body, Faults& faults) {
-  Part here = part("body", body);
+Values strength(const material::J2Curve& law) {
+  using Kind = material::HardeningCurve::Kind;
+  const material::HardeningCurve& f = law.flow;
+  Values all;
+  if (f.kind != Kind::measured) all.push_back({"curve.growth", f.growth, not_negative, "Pa"});
+  if (f.kind == Kind::voce || f.kind == Kind::ludwik) all.push_back({"curve.yield", f.yield, positive, "Pa"});
+  if (f.kind == Kind::voce) all.push_back({"curve.exponent", f.exponent, positive});
+  if (f.kind == Kind::ludwik || f.kind == Kind::swift) all.push_back({"curve.exponent", f.exponent, range::hardening_exponent});
+  if (f.kind == Kind::swift) all.push_back({"curve.offset", f.offset, positive});
+  all.push_back({"cowper_symonds.rate", f.cowper_rate, not_negative, "1/s"});
+  all.push_back({"cowper_symonds.exponent", f.cowper_exponent, range::cowper_exponent});
+  return all;
+}
+
+/// Faults of measured curves; readers have found them at their files.
+void check_curves(Faults& faults, const Part& here, const material::HardeningCurve& flow) {
+  if (flow.kind != material::HardeningCurve::Kind::measured) return;
+  if (flow.curves.empty()) refuse(faults, here, "curve", "there is no curve");
+  for (std::size_t i = 0; i < flow.curves.size(); ++i) {
+    const std::string said = wrong_with(flow.curves[i]);
+    if (!said.empty()) refuse(faults, here, "curve", said);
+    if (i > 0 && !(flow.curves[i].rate > flow.curves[i - 1].rate && flow.curves[i - 1].rate > 0))
+      refuse(faults, here, "curve", "the rates of its curves do not grow from above zero");
+  }
+}
+
+void check_law(const Body& body, const element::AnyLaw& any, Part here, Faults& faults) {
   if (!here.at.empty()) here.at += ".material";
   const auto constants = [&]<class Law>(const Law& law) {
     bool sound = check(faults, here, {{"density", law.density, positive, "kg/m^3"}});
     if constexpr (!material::FluidLaw<Law>)
       sound = check(faults, here, {{"young", law.young, positive, "Pa"}, {"poisson", law.poisson, range::poisson}}) && sound;
     if (sound) check(faults, here, strength(law));  // some of these ranges end at one of those
+    if constexpr (std::is_same_v<Law, material::J2Curve>) check_curves(faults, here, law.flow);
   };
-  const bool is_fluid = material::is_fluid(body.law);
+  const bool is_fluid = material::is_fluid(any);
   if (has_plates(body.mesh) && is_fluid)
     refuse(faults, here, "kind", fluids_are_solid_meshes);
   else if (is_fluid && body.rigid)
     refuse(faults, here, "kind", "a rigid body is no fluid: expected a law of solids");
-  else if (has_plates(body.mesh) && !element::plates_may_have(body.law))
+  else if (has_plates(body.mesh) && !element::plates_may_have(any))
     refuse(faults, here, "kind", plates_may_have_other_laws);
   else if (is_fluid != std::holds_alternative<element::Fluid::Options>(body.solid))
     refuse(faults, here, "kind", is_fluid ? "a fluid needs the options of fluids" : "a solid has the options of fluids");
   else
-    std::visit(constants, body.law);
+    std::visit(constants, any);
 }
 
 // Options of elements, by kind.
@@ -142,11 +168,25 @@ void check_start(const Body& body, Faults& faults) {
   if (material::is_fluid(body.law)) check(faults, here, {{"start.pressure", pressure, allowed, "Pa"}});
 }
 
+void check_set(const Set& set, Faults& faults) {
+  if (!set.zone) return;
+  const Part here = part("set", set);
+  check(faults, here, components("from", set.zone->from));
+  check(faults, here, components("to", set.zone->to));
+  check(faults, here, {{"radius", set.zone->radius, not_negative, "m"}});
+  check_direction(faults, here, "normal", set.zone->normal);
+}
+
 void check_body(const Body& body, Faults& faults) {
   const Part here = part("body", body);
   check_start(body, faults);
   const auto look = [&](const auto& options) { check(faults, here, own(options)), check(faults, here, of_viscosity(options.viscosity)); };
-  check_law(body, faults);
+  check_law(body, body.law, here, faults);
+  for (const PartMaterial& one : body.parts) {
+    check_law(body, one.law, {one.at, "material of part '" + one.of + "' of body '" + body.name + "'"}, faults);
+    if (material::is_fluid(one.law)) refuse(faults, {one.at, "material of a part"}, "of", "a fluid is a body of its own: parts are solids");
+  }
+  for (const Set& set : body.sets) check_set(set, faults);
   check_functions(faults, here, "map", body.map, true);
   if (has_solids(body.mesh)) std::visit(look, body.solid);
   if (has_plates(body.mesh)) look(body.plate);
@@ -271,6 +311,20 @@ void check_run(const Scene& scene, Faults& faults) {
 
 }  // namespace
 
+std::string wrong_with(const material::MeasuredCurve& curve) {
+  if (curve.strain.size() != curve.stress.size() || curve.strain.empty()) return "it has not one stress for each plastic strain";
+  if (curve.strain.front() != 0)
+    return "its first plastic strain is " + shortest(curve.strain.front()) + ": expected 0, at which flow begins";
+  for (std::size_t i = 0; i < curve.strain.size(); ++i) {
+    const std::string at = " at the plastic strain " + shortest(curve.strain[i]);
+    if (!std::isfinite(curve.strain[i]) || !std::isfinite(curve.stress[i])) return "it has a value that is no finite number" + at;
+    if (!(curve.stress[i] > 0)) return "its stress is " + shortest(curve.stress[i]) + " Pa" + at + ": expected more than 0";
+    if (i > 0 && !(curve.strain[i] > curve.strain[i - 1])) return "its plastic strain does not grow" + at;
+    if (i > 0 && curve.stress[i] < curve.stress[i - 1]) return "its stress falls" + at + ": expected a curve that does not soften";
+  }
+  return "";
+}
+
 void check_relaxation(const Part& here, const std::string& before, const dynamics::Relaxation& relaxation, Faults& faults) {
   check(faults, here, {{before + "residual", relaxation.residual, range::residual},
                        {before + "after", relaxation.after, not_negative, "s"},
@@ -283,7 +337,7 @@ std::string too_many(const std::string& key, double every, double end) {
   const bool frames = key == "frames_every";
   const double most = frames ? most_frames : most_rows, count = end / every;
   if (!(every > 0) || count <= most) return "";
-  return quote(key) + " = " + shortest(every) + " s asks for " + formatted("%.3g", count) + (frames ? " frames" : " rows") +
+  return quote(key) + " = " + shortest(every) + " s gives " + formatted("%.3g", count) + (frames ? " frames" : " rows") +
          " by the end at " + shortest(end) + " s: expected at most " + (frames ? "a million" : "ten million");
 }
 

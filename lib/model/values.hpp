@@ -12,7 +12,7 @@ namespace range {
 inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardening_exponent = above(0).up_to(1),
                        thermal_exponent = above(0).up_to(10), hourglass = above(0).up_to(1), drilling = within(0, 1),
                        distortion = within(0, 10), hourglass_of_fluids = within(0, 100), adiabatic = above(1).up_to(10),
-                       shock_slope = within(0, 10),
+                       shock_slope = within(0, 10), cowper_exponent = within(1, 100),
                        linear_viscosity = within(0, 1),
                        quadratic_viscosity = within(0, 10), friction = within(0, 10), tangential_penalty = above(0).up_to(1),
                        damping_ratio = within(0, 1), energy_gain_limit = within(1e-5, 0.04), step_factor = within(0, 0.5),
@@ -23,7 +23,10 @@ inline constexpr Range poisson = between(-1, 0.5), share = within(0, 1), hardeni
 inline constexpr const char* fluids_are_solid_meshes = "a fluid has solid elements: this body has plates";
 
 inline constexpr const char* plates_may_have_other_laws =
-    "plates may have the laws elastic and j2_bilinear: this one has no update in plane stress";
+    "plates have laws with an update in plane stress: expected elastic, j2_bilinear, j2_curve or johnson_cook";
+
+/// What is wrong with the points of a hardening curve, or nothing.
+std::string wrong_with(const material::MeasuredCurve&);
 
 // Bounds on what one run writes and computes.
 inline constexpr double most_rows = 1e7, most_frames = 1e6;

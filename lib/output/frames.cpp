@@ -89,11 +89,18 @@ Grid body_grid(const dynamics::View& view, FrameFields which) {
   grid.displacement = view.now.x - model.mesh.X;
   Eigen::Index total = 0;
   for (const auto& block : model.blocks) total += element::tiling(block).elements;
-  Field part = scalar("part_id", "1", total, true), number = scalar("element_id", "1", total, true);
+  const auto integers = [total](const char* name) { return scalar(name, "1", total, true); };
+  Field part = integers("part_id"), number = integers("element_id"), body = integers("body");
   Eigen::Index first = 0;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const auto& block = model.blocks[b];
-    grid.cells.push_back({element::nodes(block).rows() == 3 ? CellKind::triangle : CellKind::hexahedron, element::nodes(block)});
+    const bool is_plate = element::nodes(block).rows() == 3;
+    grid.cells.push_back({is_plate ? CellKind::triangle : CellKind::hexahedron, element::nodes(block)});
+    const std::string name = element::name(block).substr(0, element::name(block).find('.'));
+    const auto is_it = [&name](const auto& one) { return one.name == name; };
+    auto here = std::find_if(grid.names.begin(), grid.names.end(), is_it);
+    if (here == grid.names.end()) here = grid.names.insert(here, {name, static_cast<int>(grid.names.size()), is_plate ? 2 : 3});
+    body.values.middleCols(first, element::tiling(block).elements).setConstant(here->number);
     for (Eigen::Index e = 0; e < element::tiling(block).elements; ++e) {
       part.values(0, first + e) = static_cast<double>(b);
       number.values(0, first + e) = static_cast<double>(e);
@@ -106,6 +113,7 @@ Grid body_grid(const dynamics::View& view, FrameFields which) {
   grid.point_fields.push_back(vector("contact_force", "N", contact_forces(view)));
   grid.point_fields.push_back(std::move(node));
   grid.cell_fields = element_fields(view, total, which);
+  grid.cell_fields.push_back(std::move(body));
   grid.cell_fields.push_back(std::move(part));
   grid.cell_fields.push_back(std::move(number));
   return grid;
@@ -113,28 +121,32 @@ Grid body_grid(const dynamics::View& view, FrameFields which) {
 
 namespace {
 
-/// Whether a frame has the element of an apex: not of a guard that does nothing.
-bool is_shown(const contact::Interface& interface, const contact::Memory& memory, Index apex) {
-  return interface.heights != contact::Heights::guards || memory.status[static_cast<std::size_t>(apex)] == contact::Status::closed;
+/// Whether a frame has the element of an apex: one that acts, or with `all` also an open one that is no guard.
+bool is_shown(const contact::Interface& interface, const contact::Memory& memory, Index apex, FrameFields which) {
+  return memory.status[static_cast<std::size_t>(apex)] == contact::Status::closed ||
+         (which == FrameFields::all && interface.heights != contact::Heights::guards);
+}
+bool is_shown(const contact::Crossing& crossing, FrameFields which) {
+  return is_over(crossing) && (crossing.closed || which == FrameFields::all);
 }
 
-Eigen::Index elements_shown(const contact::Interface& interface, const contact::Memory& memory) {
+Eigen::Index elements_shown(const contact::Interface& interface, const contact::Memory& memory, FrameFields which) {
   Eigen::Index count = 0;
-  for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) count += is_shown(interface, memory, a);
+  for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) count += is_shown(interface, memory, a, which);
   return count;
 }
-Eigen::Index elements_shown(const contact::EdgeContact&, const contact::EdgeMemory& memory) {
-  return std::count_if(memory.crossings.begin(), memory.crossings.end(), is_over);
+Eigen::Index elements_shown(const contact::EdgeContact&, const contact::EdgeMemory& memory, FrameFields which) {
+  return std::count_if(memory.crossings.begin(), memory.crossings.end(), [which](const auto& one) { return is_shown(one, which); });
 }
 
 }  // namespace
 
-Grid contact_grid(const dynamics::View& view) {
+Grid contact_grid(const dynamics::View& view, FrameFields which) {
   const dynamics::Model& model = view.model;
   Eigen::Index count = 0;
   for (std::size_t c = 0; c < model.contacts.size(); ++c)
     contact::with_memory(model.contacts[c], view.now.contacts[c],
-                         [&](const auto& one, const auto& memory) { count += elements_shown(one, memory); });
+                         [&](const auto& one, const auto& memory) { count += elements_shown(one, memory, which); });
   // five points for each element: foot, apex and the corners of the facet; of edges that cross their points, and the base edge with one
   Grid grid;
   grid.time = view.now.t;
@@ -169,7 +181,7 @@ Grid contact_grid(const dynamics::View& view) {
   const auto add_apexes = [&](std::size_t c, const contact::Interface& interface, const contact::Memory& memory) {
     const std::vector<contact::NodeForce> forces = dynamics::forces_of_contact(view.model, view.now, c);
     for (Index a = 0; a < static_cast<Index>(interface.apexes.size()); ++a) {
-      if (!is_shown(interface, memory, a)) continue;
+      if (!is_shown(interface, memory, a, which)) continue;
       const auto element = contact::view(interface, view.now.x, memory, a);
       const dynamics::Traction traction = dynamics::traction_at(view, c, a, forces);
       const bool lost = element.feature.facet < 0;
@@ -190,7 +202,7 @@ Grid contact_grid(const dynamics::View& view) {
   };
   const auto add_edges = [&](std::size_t c, const contact::EdgeMemory& memory) {
     for (const contact::Crossing& crossing : memory.crossings) {
-      if (!is_over(crossing)) continue;
+      if (!is_shown(crossing, which)) continue;
       std::array<std::array<Vec3, 2>, 5> points;
       for (std::size_t when = 0; when < 2; ++when) {
         points[0][when] = -crossing.weight[2] * at(crossing.node[2])[when] - crossing.weight[3] * at(crossing.node[3])[when];

@@ -238,7 +238,8 @@ std::string text_of(const Summary& summary) {
                      {"cost", cost_of(summary.cost)},
                      {"provenance", provenance_of(summary)},
                      {"not_used", summary.not_used},
-                     {"notes", summary.notes}};
+                     {"notes", summary.notes},
+                     {"warnings", summary.warnings}};
   // Bytes that are no UTF-8, say in a file name, must not cost the summary of a whole run.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

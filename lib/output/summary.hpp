@@ -58,7 +58,8 @@ struct Summary {
   Cost cost;
   std::vector<Resolved> resolved;
   std::vector<std::string> not_used;  ///< paths of the case that this driver did not read
-  std::vector<std::string> notes;     ///< sentences that a reader of the results needs
+  std::vector<std::string> notes;     ///< sentences that a reader of the results needs, warnings among them
+  std::vector<std::string> warnings;  ///< those of them that tell of an error, or of what may be one
 };
 
 /// Which program on which machine, as the build knew it.

@@ -151,7 +151,7 @@ class Words(InAFolder):
             with self.subTest(flags):
                 status, _, errors = self.said(CASES / "block.yaml", "--set", 'initial[0].velocity=["1e200", "0", "0"]', *flags)
                 self.assertEqual(status, 3, errors)
-                self.assertRegex(errors, "not_finite: the kinetic energy that it is given is no finite number")
+                self.assertRegex(errors, "not_finite: the kinetic energy of the given velocities is no finite number")
 
     def test_the_second_signal(self):
         words = [self.drivers / "scene", CASES / "block.yaml", "--out", self.out, "--quiet", "--set", "time.end=1e3 s",
@@ -184,11 +184,11 @@ class Bounds(InAFolder):
         self.check_refused(r"'end' = .* s takes \S+ steps .*: expected at most a billion", "time.end=1e300 s")
 
     def test_frames(self):
-        self.check_refused("'frames_every' = 1e-30 s asks for .* frames by the end at .*: expected at most a million",
+        self.check_refused("'frames_every' = 1e-30 s gives .* frames by the end at .*: expected at most a million",
                            "output.frames_every=1e-30 s")
 
     def test_rows(self):
-        self.check_refused("'history_every' = 1e-30 s asks for .* rows by the end at .*: expected at most ten million",
+        self.check_refused("'history_every' = 1e-30 s gives .* rows by the end at .*: expected at most ten million",
                            "output.history_every=1e-30 s")
 
     def test_elements(self):

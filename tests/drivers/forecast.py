@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 from runs import run_alone  # noqa: E402
 
-LINE = re.compile(r"^forecast to the end of time: (\d+) steps, \S+ s, (\d+) rows, (\d+) frames, (\S+) MB of files, (\S+) MB of memory$",
+LINE = re.compile(r"^forecast until time\.end: (\d+) steps, \S+ s, (\d+) rows, (\d+) frames, (\S+) MB of files, (\S+) MB of memory$",
                   re.MULTILINE)
 NEAR = 0.1  # [-] what steps, rows and memory may be off
 OF_FRAMES = 0.2  # [-] what bytes may be off: frames of a scene that is shaken are longer than those of bars in a plane wave

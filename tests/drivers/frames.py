@@ -45,8 +45,8 @@ class Frames(unittest.TestCase):
         self.assertEqual(count, len([*out.glob("body/*.vtu")]))
         self.assertGreater(count, 1)
         self.assertLess(count, 41)
-        self.assertIn(f"{count} frames and not 41, so that they take no more than a tenth of the run", said)
-        self.assertRegex(said, f"forecast to the end of time: .*, {count} frames, ")
+        self.assertIn(f"{count} frames in place of 41, so that they take no more than a tenth of the run", said)
+        self.assertRegex(said, f"forecast until time.end: .*, {count} frames, ")
         self.assertAlmostEqual(summary["cost"]["frames_every"]["value"], 0.1 / (count - 1))
 
     def test_as_many_as_the_case_says(self):
@@ -83,6 +83,10 @@ class Frames(unittest.TestCase):
             self.assertEqual([(block.type, len(block.data)) for block in found.cells], [("hexahedron", 8000)])
             for name, values in {**found.point_data, **{name: blocks[0] for name, blocks in found.cell_data.items()}}.items():
                 self.assertEqual([tuple(one) if values.ndim > 1 else one for one in values.tolist()], ours[name], name)
+            self.assertEqual(found.points.tolist(), [list(x) for x in ours["positions"]])  # the deformed shape
+            for name, unit in (("displacement", "m"), ("velocity", "m/s"), ("contact_force", "N"), ("stress", "Pa"), ("body", "1")):
+                self.assertIn(f"{name} [{unit}]", found.field_data)
+            self.assertEqual([list(found.field_data[name]) for name in ("points_are_deformed", "a")], [[1], [0, 3]])
 
 
 if __name__ == "__main__":

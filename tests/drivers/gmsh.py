@@ -1,4 +1,4 @@
-"""Meshes of gmsh and Abaqus reach a run by the command that docs/meshes.md names, with their names, and by meshio alone with what it keeps.
+"""Meshes of other codes reach a run by the command that docs/meshes.md names, with their names, and by meshio alone with what it keeps.
 
     python3 tests/drivers/gmsh.py DRIVERS          DRIVERS: the folder with the programs
 
@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+DECKS = ROOT / "tests/scripts/decks"
 SKIPPED = 77
 PATIENCE = 60  # [s]
 
@@ -84,6 +85,23 @@ BLOCK = """*HEADING
 1,4,5,8
 """
 
+# What the decks of tests/scripts/decks/ have: regions, node sets, and surfaces of solids and of plates.
+DECK = """bodies:
+  - name: b
+    mesh: {kind: file, path: block.vtu, scale: 1 mm}
+    material: {kind: elastic, density: 7850 kg/m^3, young: 210 GPa, poisson: 0.3}
+    element: {thickness: 1.5 mm}
+planes: [{name: held, kind: fixed, nodes: [b.FOOT]}]
+loads:
+  - {name: push, kind: pressure, surface: b.LOAD, value: 1, unit: Pa}
+  - {name: blow, kind: pressure, surface: b.SHEET_top, value: 1, unit: Pa}
+  - {name: tug, kind: force, nodes: b.EDGE, value: ["0", "0", "1"], unit: N}
+probes:
+  - {name: block, quantity: displacement, of: b.BLOCK, component: z}
+  - {name: sheet, quantity: displacement, of: b.SHEET, component: z}
+time: {end: 10 us}
+"""
+
 
 def case_of(name, held, plate=False, region_array=""):
     """A body out of NAME.vtu that is held at node sets and falls."""
@@ -103,7 +121,7 @@ time: {{end: 10 us}}
 def command(name, ending):
     """The words of docs/meshes.md, for a file NAME.ENDING."""
     text = (ROOT / "docs/meshes.md").read_text(encoding="utf-8")
-    words = re.search(r"^(scripts/convert_mesh) bar.msh bar.vtu$", text, re.M).group(1)
+    words = re.search(r"^(scripts/import_mesh) bar.msh bar.vtu$", text, re.M).group(1)
     return [sys.executable, ROOT / words, f"{name}.{ending}", f"{name}.vtu"]
 
 
@@ -124,6 +142,21 @@ class Gmsh(unittest.TestCase):
             back = meshio.read(folder / "out/body/body_000000.vtu")
             self.assertEqual([(block.type, len(block.data)) for block in back.cells], [("hexahedron", 2)])
             self.assertEqual(back.points.max(), 2)  # [m]
+
+    def test_decks_of_four_codes_are_one_body(self):
+        said = set()
+        for deck in ("block.inp", "block.k", "block_0000.rad", "block.msh"):
+            with self.subTest(deck), tempfile.TemporaryDirectory() as name:
+                folder = Path(name)
+                shutil.copy(DECKS / deck, folder / f"block{Path(deck).suffix}")
+                subprocess.run(command("block", Path(deck).suffix[1:]), cwd=folder, check=True, capture_output=True, timeout=PATIENCE)
+                (folder / "case.yaml").write_text(DECK, encoding="utf-8")
+                done = subprocess.run([self.drivers / "scene", "case.yaml", "--dry-run"], cwd=folder, capture_output=True, text=True,
+                                      timeout=PATIENCE)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertRegex(done.stdout, r"(?s)\.BLOCK +14 +3 +0\.019625\n.*\.SHEET +8 +6 +0\.0035325\n20 nodes, 9 elements")
+                said.add(re.sub(r"forecast.*", "", done.stdout))
+        self.assertEqual(len(said), 1)
 
     def run_case(self, folder, case):
         """(exit status, what it said on stderr, whether the nodes that are held carry something)."""

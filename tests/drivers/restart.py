@@ -418,7 +418,7 @@ class Words(unittest.TestCase):
         before = self.files()
         done = self.run_case("--resume")
         self.assertEqual(done.returncode, 0)
-        self.assertIn("nothing is left to do", done.stderr)
+        self.assertIn("there is nothing to resume", done.stderr)
         self.assertEqual(self.files(), before)
         self.refused("its results are of another case", "--set", "time.end=1 ms")
 
@@ -431,7 +431,7 @@ class Words(unittest.TestCase):
         for flags in ([], ["--checkpoint-every", "1 ms"]):
             done = self.run_case("--resume", *flags)
             self.assertEqual(done.returncode, 3)
-            self.assertIn(f"nothing is left to do: the run in {self.out} ended with not_finite", done.stderr)
+            self.assertIn(f"there is nothing to resume: the run in {self.out} ended with not_finite", done.stderr)
             self.assertEqual(self.files(), before)
 
     def test_a_checkpoint_of_another_case(self):

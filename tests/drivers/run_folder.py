@@ -126,7 +126,7 @@ class Offenders(InAFolder):
     def setUp(self):
         super().setUp()
         self.case = self.copy("block_from_file.yaml")
-        shutil.copy(CASES.parent / "bad_cases/scene/mesh_twisted.vtu", self.folder / "mesh.vtu")
+        shutil.copy(CASES.parent / "bad_cases/meshes/mesh_twisted.vtu", self.folder / "mesh.vtu")
 
     def shown(self):
         return sorted(name for name in self.files() if "offenders" in name)
@@ -204,7 +204,7 @@ class Stale(InAFolder):
         for name in ("summary.json", "history.csv"):
             (self.out / name).rename(self.out / f"{name}.stale")
         done = self.run_case(CASES / "block.yaml", "--resume")
-        self.assertEqual((done.returncode, "nothing is left to do" in done.stderr), (0, True), done.stderr)
+        self.assertEqual((done.returncode, "there is nothing to resume" in done.stderr), (0, True), done.stderr)
         self.assertEqual(self.files(), before)
 
     def test_a_folder_of_frames_that_is_a_link_stays_one(self):

@@ -262,7 +262,7 @@ class Summary(InATemporaryFolder):
     def test_sector_of_the_cask(self):
         sector = [*CASK, "model.kind=sector", "mesh.level=2"]
         summary = self.check_cask(sector, ["floor", "first_plane", "second_plane"])
-        self.assertFalse(any("lead: its step is that of" in note for note in summary["notes"]), "the cladding limits the step")
+        self.assertFalse(any("lead: its step is limited by" in note for note in summary["notes"]), "the cladding limits the step")
 
     def test_quarter_is_a_quarter(self):
         full = self.run_to_end("cask_drop", CASK, out="full").summary()["ledger"]["initial_kinetic"]["value"]
@@ -408,7 +408,7 @@ class Summary(InATemporaryFolder):
     def test_block_over_facets(self):
         summary = self.run_to_end("sliding.over_facets", ["time.end=0.2 s"]).summary()
         self.check_ledger(summary["ledger"])
-        self.assertGreater(summary["results"]["contact_walks"]["value"], 50)
+        self.assertGreater(summary["results"]["contact_reconnections"]["value"], 50)
         self.assertLess(summary["results"]["normal_force_ripple"]["value"], 0.06)
 
     def test_resolved_case_is_in_si(self):

@@ -208,7 +208,7 @@ TEST(MeanForce, OfGravityIsTheWeight) {
                      }, true};
   ProbeMemory memory;
   const auto sampled = [&] {
-    sample_row(weight, scene.view(), memory);
+    sample_row(weight, scene.view(), {}, memory);
     return memory.last;
   };
   start(scene.model, scene.state, scene.forces);

@@ -15,7 +15,7 @@ ProbeMemory sampled(const std::vector<double>& values, double dt) {
   state.dt = dt;
   ProbeMemory memory;
   for (const double value : values) {
-    sample({"value", "1", [value](const View&, Kept&) { return value; }}, {model, state, forces, true}, memory);
+    sample({"value", "1", [value](const View&, Kept&) { return value; }}, {model, state, forces, true}, {}, memory);
     state.t += dt;
   }
   return memory;
@@ -43,8 +43,8 @@ TEST(Probe, OfAMeanHasTheExtremesOfStepsAndInItsRowTheMeanSinceTheRowBefore) {
                    }, true};
   ProbeMemory memory;
   for (int step = 0; step <= 4; ++step, state.t += 1) {
-    sample(pull, {model, state, forces, step % 4 == 0}, memory);
-    if (step % 4 == 0) sample_row(pull, {model, state, forces, true}, memory);
+    sample(pull, {model, state, forces, step % 4 == 0}, {}, memory);
+    if (step % 4 == 0) sample_row(pull, {model, state, forces, true}, {}, memory);
   }
   EXPECT_EQ(memory.last, 4) << "16 N s in 4 s";
   EXPECT_EQ(memory.largest_row, 4);
@@ -52,6 +52,31 @@ TEST(Probe, OfAMeanHasTheExtremesOfStepsAndInItsRowTheMeanSinceTheRowBefore) {
   EXPECT_EQ(memory.largest, 7) << "the last step: 16 - 9";
   EXPECT_EQ(memory.time_of_largest, 4);
   EXPECT_EQ(memory.smallest, 0);
+}
+
+TEST(Probe, OfAFormulaTakesTheStepsOfItsInputsForItsExtremesAndTheirRowsForItsRows) {
+  const Model model;
+  const Forces forces;
+  State state;
+  const std::vector<Probe> probes{
+      {"speed", "m/s", [](const View& view, Kept&) { return view.now.t; }},
+      {"push", "N", [](const View& view, Kept& kept) {  // of the impulse t^2
+         const double before = kept.since < 0 ? 0 : kept.since, t = view.now.t;
+         const double mean = t > before ? (t * t - kept.integral.x()) / (t - before) : 0;
+         kept.integral.x() = t * t, kept.since = t;
+         return mean;
+       }, true},
+      {.name = "power", .unit = "W", .value = {}, .is_mean = true, .inputs = {0, 1},
+       .formula = [](const std::vector<double>& in, double t) { return in[0] * in[1] + 100 * t; }}};
+  std::vector<ProbeMemory> memories(3);
+  for (int step = 0; step <= 4; ++step, state.t += 1)
+    for (std::size_t p = 0; p < 3; ++p) {
+      sample(probes[p], {model, state, forces, step % 4 == 0}, memories, memories[p]);
+      if (step % 4 == 0) sample_row(probes[p], {model, state, forces, true}, memories, memories[p]);
+    }
+  EXPECT_EQ(memories[2].now, 4 * 7 + 400);
+  EXPECT_EQ(memories[2].largest, 428);
+  EXPECT_EQ(memories[2].last, 4 * 4 + 400) << "16 N s in the 4 s of the row";
 }
 
 TEST(Probe, IntegratesAndKnowsWhenItWasAboveZero) {

@@ -239,7 +239,7 @@ TEST(Relaxation, OfWhatFallsSaysThatItMoves) {
   s.ready();
   const Outcome outcome = s.run_to(0.1);
   EXPECT_EQ(outcome.ending, Ending::not_relaxed);
-  EXPECT_EQ(outcome.reason.rfind("the forces balance, but it moves, with ", 0), 0U) << outcome.reason;
+  EXPECT_EQ(outcome.reason.rfind("the forces balance, but the kinetic energy is ", 0), 0U) << outcome.reason;
 }
 
 TEST(Relaxation, WaitsForLoadsThatGrow) {

@@ -16,6 +16,12 @@ inline void make_metal(double poisson, material::J2JohnsonCook& law) {
           .heat_share = 0.9, .temperature = 300}};
 }
 
+inline void make_metal(double poisson, material::J2Curve& law) {
+  law = {2.0, 3.0, poisson, {}};
+  law.flow.kind = material::HardeningCurve::Kind::voce;
+  law.flow.yield = 0.03, law.flow.growth = 0.03, law.flow.exponent = 5, law.flow.cowper_rate = 10, law.flow.cowper_exponent = 5;
+}
+
 // And one fluid for each of its laws, about as stiff.
 inline void make_metal(double /*poisson*/, material::LinearFluid& law) { law = {2.0, 3.0}; }
 inline void make_metal(double /*poisson*/, material::MieGruneisen& law) { law = {2.0, 1.2, 1.75, 0.28}; }

@@ -449,11 +449,19 @@ void stretch(Element<Law>& e, double xx, double yy) {
   e.step(to, sum(to, e.x, -1.0), Corners{});
 }
 
+/// The metal without the heat of plastic work, which goes by the volume that an element has.
+template <class Law>
+Law cold_metal() {
+  Law law = metal<Law>();
+  if constexpr (requires { law.flow.heat_share; }) law.flow.heat_share = 0;
+  return law;
+}
+
 TYPED_TEST(PlateOf, FollowsTheStrainThatItsLawHasInSpaceWhereTheThicknessIsFree) {
   for (const auto& [xx, yy] : {std::pair{1e-3, -0.4e-3}, {1e-3, 1e-3}, {-0.5e-3, 0.1e-3}}) {
     Plate::Options options = thick(0.1);
     options.thinning = Plate::Thinning::follows_strain;
-    Element<TypeParam> e{metal<TypeParam>(), options, flat_triangle(1.0, 0.3, 0.8)};
+    Element<TypeParam> e{cold_metal<TypeParam>(), options, flat_triangle(1.0, 0.3, 0.8)};
     auto point = material::point_of<Symmetric>(e.law);
     for (int step = 0; step < 500; ++step) {
       stretch(e, xx, yy);
@@ -499,12 +507,38 @@ TYPED_TEST(PlateOf, ThinningDoesTheWorkThatItsLawStoresAndDissipates) {
 TYPED_TEST(PlateOf, ThatKeepsItsThicknessHasTheSameStressAndTheForcesOfItsThickness) {
   Plate::Options keeps = thick(0.1), follows = thick(0.1);
   keeps.thinning = Plate::Thinning::constant, follows.thinning = Plate::Thinning::follows_strain;
-  Element<TypeParam> one{metal<TypeParam>(), keeps, flat_triangle(1.0, 0.3, 0.8)}, other{metal<TypeParam>(), follows, one.X};
+  Element<TypeParam> one{cold_metal<TypeParam>(), keeps, flat_triangle(1.0, 0.3, 0.8)}, other{cold_metal<TypeParam>(), follows, one.X};
   for (int step = 0; step < 100; ++step) stretch(one, 2e-3, 1e-3), stretch(other, 2e-3, 1e-3);
   const double ratio = thickness_left(other.law, other.layers, other.constants, other.x, other.memory) / 0.1;
   EXPECT_LT(ratio, 0.9);
   EXPECT_EQ(one.memory.layers[0].stress.xx, other.memory.layers[0].stress.xx);
   EXPECT_LT(largest(sum(other.force, one.force, -ratio)), 1e-12 * largest(one.force));
+}
+
+TEST(Plate, IsHeatedByTheShareOfItsPlasticWork) {
+  using material::J2JohnsonCook;
+  Element<J2JohnsonCook> e{metal<J2JohnsonCook>(), thick(0.1), flat_triangle(1.0, 0.3, 0.8)};
+  double dissipated = 0, kept = 0;
+  const double start = e.memory.layers[0].internal.scalar[1];
+  for (int step = 0; step < 100; ++step) {
+    Corners to = e.x, turn{};
+    for (int a = 0; a < 3; ++a) to[a] = {e.x[a].x * 1.001, e.x[a].y * 0.9995, 0}, turn[a] = {0, 2e-4 * e.X[a].x, 0};
+    dissipated += e.step(to, sum(to, e.x, -1.0), turn).dissipated[0];
+  }
+  for (int l = 0; l < e.layers.count; ++l)
+    kept += e.layers.weight[l] * (e.memory.layers[l].internal.scalar[1] - start) * e.law.flow.specific_heat;
+  EXPECT_GT(dissipated, 0);
+  EXPECT_NEAR(kept * e.constants.mass / (e.law.flow.heat_share * dissipated), 1, 1e-4) << "half of what a step changes in the volume";
+}
+
+TEST(Plate, AtAHighRateHasTheStressOfItsLayersAtItsSurfaces) {
+  using material::J2Curve;
+  Element<J2Curve> e{metal<J2Curve>(), thick(0.1), flat_triangle(1.0, 0.3, 0.8)};
+  e.law.flow.cowper_rate = 1e-6;  // far below the rates here
+  for (int step = 0; step < 100; ++step) stretch(e, 1e-3, -0.5e-3);
+  const auto surface = at_place(e.law, e.layers, e.memory, Place::top);
+  EXPECT_GT(material::von_mises(surface.stress), 3 * yield_stress(e.law, surface.internal.scalar));
+  EXPECT_NEAR(surface.stress.xx / e.memory.layers[0].stress.xx, 1, 1e-12);
 }
 
 TEST(Plate, ThinsByItselfWhereItsLawFlows) {

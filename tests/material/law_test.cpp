@@ -43,6 +43,20 @@ void make(const Row& row, J2JohnsonCook& law) {
           .rate_coefficient = 0.02, .reference_rate = 1, .thermal_exponent = 1, .reference_temperature = 300,
           .melting_temperature = 1500, .specific_heat = 450, .heat_share = 0, .temperature = 300}};
 }
+/// The bilinear law as a table, to forty times the strains of interest.
+J2Bilinear same_as(const J2Curve& law) {
+  const MeasuredCurve& curve = law.flow.curves.at(0);
+  const double hardening = (curve.stress[1] - curve.stress[0]) / curve.strain[1];
+  return {law.density, law.young, law.poisson, {curve.stress[0], law.young * hardening / (law.young + hardening)}};
+}
+void make(const Row& row, J2Curve& law) {
+  J2Bilinear same{};
+  make(row, same);
+  const double yield = same.flow.yield, far = 1e4 * yield / same.young, H = hardening_modulus(same);
+  law = {same.density, same.young, same.poisson, {}};
+  law.flow.kind = HardeningCurve::Kind::measured;
+  law.flow.curves = {{0, {0, 0.3 * far, far}, {yield, yield + 0.3 * H * far, yield + H * far}}};
+}
 /// Under a load that only grows, the share of the hardening that is isotropic makes no difference.
 J2Bilinear under_growing_load(const J2Mixed& law) {
   return {law.density, law.young, law.poisson, {law.yield, law.tangent}};
@@ -70,6 +84,8 @@ double uniaxial_strain(const J2Bilinear& law, double strain) {
   return bilinear(strain, elastic * law.flow.yield / (2.0 * G), elastic,
                   K + 4.0 / 3.0 * G * H / (H + 3.0 * G));
 }
+double uniaxial_stress(const J2Curve& law, double strain) { return uniaxial_stress(same_as(law), strain); }
+double uniaxial_strain(const J2Curve& law, double strain) { return uniaxial_strain(same_as(law), strain); }
 double uniaxial_strain(const J2Mixed& law, double strain) {
   return uniaxial_strain(under_growing_load(law), strain);
 }
@@ -78,6 +94,7 @@ double shear(const J2Bilinear& law, double angle) {
   const double G = shear_modulus(law), H = hardening_modulus(law);
   return bilinear(angle, law.flow.yield / std::sqrt(3.0), G, 1.0 / (1.0 / G + 3.0 / H));
 }
+double shear(const J2Curve& law, double angle) { return shear(same_as(law), angle); }
 double shear(const J2Mixed& law, double angle) { return shear(under_growing_load(law), angle); }
 /// Flow of a slow load without heat: the root p of  a - b p = A + B p^n, found by halving.
 double flow_under(const J2JohnsonCook& law, double a, double b) {
@@ -103,6 +120,7 @@ double shear(const J2JohnsonCook& law, double angle) {
 double unit(const Elastic&) { return 1e-5; }  // the logarithmic rate is no different there
 double unit(const J2Bilinear& law) { return law.flow.yield / law.young; }
 double unit(const J2JohnsonCook& law) { return law.flow.yield / law.young; }
+double unit(const J2Curve& law) { return law.flow.curves[0].stress[0] / law.young; }
 double unit(const J2Mixed& law) { return law.yield / law.young; }
 /// How far from the centre of its elastic range, in uniaxial stress, a point with this memory flows next; without
 /// flow, more than any.
@@ -116,6 +134,10 @@ double flow_stress(const J2Bilinear& law, const Internal<double, J2Bilinear, S>&
 }
 template <template <class> class S>
 double flow_stress(const J2JohnsonCook& law, const Internal<double, J2JohnsonCook, S>& internal) {
+  return yield_stress(law, internal.scalar);
+}
+template <template <class> class S>
+double flow_stress(const J2Curve& law, const Internal<double, J2Curve, S>& internal) {
   return yield_stress(law, internal.scalar);
 }
 template <template <class> class S>

@@ -62,8 +62,8 @@ TEST(StepAdvice, NamesTheContactAndByHowMuch) {
   char times[40];
   std::snprintf(times, sizeof times, "%.3g", expected.elements / expected.dt);
   ASSERT_EQ(advice().size(), 1U);
-  EXPECT_EQ(advice()[0], "contact 'skin' makes this run " + std::string(times) +
-                             " times longer; 'method: multiplier' would not");
+  EXPECT_EQ(advice()[0], "contact 'skin' limits the step: this run has " + std::string(times) +
+                             " times as many steps; 'method: multiplier' has no step limit of its own");
   scene.contacts[0].interface.method = contact::Method::multiplier;
   EXPECT_TRUE(advice().empty());
   EXPECT_EQ(expected_steps(started(scene)).dt, expected.elements) << "it is true";
@@ -75,7 +75,7 @@ TEST(StepAdvice, NamesTheRigidPlane) {
   const Simulation simulation = started(scene);
   const auto advice = step_advice(simulation, expected_steps(simulation));
   ASSERT_EQ(advice.size(), 1U);
-  EXPECT_TRUE(says(advice[0], "rigid plane 'ground' makes this run ")) << advice[0];
+  EXPECT_TRUE(says(advice[0], "rigid plane 'ground' limits the step: this run has ")) << advice[0];
 }
 
 TEST(StepAdvice, NamesTheElementAndWhatTheStepIsWithoutIt) {
@@ -83,7 +83,7 @@ TEST(StepAdvice, NamesTheElementAndWhatTheStepIsWithoutIt) {
   const ExpectedSteps expected = expected_steps(thin);
   const auto advice = step_advice(thin, expected);
   ASSERT_EQ(advice.size(), 1U);
-  const std::string said = "element 0 of 'bar' sets the step; a mesh without such elements takes longer steps, about ";
+  const std::string said = "element 0 of 'bar' limits the step; a mesh without such elements allows longer steps, about ";
   ASSERT_TRUE(says(advice[0], said)) << advice[0];
   const double times = std::stod(advice[0].substr(said.size())), true_times = expected_steps(without).dt / expected.dt;
   EXPECT_NEAR(times / true_times, 1, 0.07);  // of elements whose bending is left out: element/width.hpp

@@ -58,11 +58,11 @@ TEST(Build, RefusesAnAutomaticContactThatLeavesNothingToTouch) {
   Scene scene = with({bar(), wall()});
   scene.contacts = {touch("bar.x_high", "wall.x_low")};
   scene.automatic_contacts = {{.name = "all", .self_contact = false}};
-  EXPECT_TRUE(says(refusal(scene), "contact 'all': nothing is left that touches")) << refusal(scene);
+  EXPECT_TRUE(says(refusal(scene), "contact 'all': no pair is left for this contact")) << refusal(scene);
   scene.automatic_contacts[0].self_contact = true;
   EXPECT_EQ(refusal(scene), "");
   scene.bodies[0].rigid = scene.bodies[1].rigid = true;
-  EXPECT_TRUE(says(refusal(scene), "contact 'all': nothing is left that touches")) << refusal(scene);
+  EXPECT_TRUE(says(refusal(scene), "contact 'all': no pair is left for this contact")) << refusal(scene);
   scene.contacts.clear();
   EXPECT_EQ(refusal(scene), "");
   scene.automatic_contacts[0].bodies = {"bar", "wall", "bar"};

@@ -42,7 +42,7 @@ TEST(Build, RefusesAPressureOnBothSidesOfPlates) {
   plate.plate.thickness = 0.1;
   scene.bodies.push_back(plate);
   scene.loads = {{.name = "p", .kind = LoadKind::pressure, .on = "plate.skin", .value = uniform(Vec3(1, 0, 0))}};
-  EXPECT_TRUE(says(refusal(scene), "'plate.skin' has plates from both sides, on which a pressure cancels")) << refusal(scene);
+  EXPECT_TRUE(says(refusal(scene), "'plate.skin' has both sides of plates, on which a pressure cancels")) << refusal(scene);
 }
 
 TEST(MakeMesh, MapsBeforeItTurnsAndMoves) {
@@ -129,9 +129,9 @@ TEST(MakeMesh, WarnsOfWhatMayBeMeantWithTheNamesOfTheFile) {
   scene.bodies[0].place.move = Vec3(0, 0, 7);
   const MeshWarnings warnings = build(scene).mesh_warnings;
   ASSERT_EQ(warnings.texts.size(), 2U);
-  EXPECT_EQ(warnings.texts[0], "bar: 2 elements with a node at the place of another node, so that nothing joins them there: cells 40, 41 "
+  EXPECT_EQ(warnings.texts[0], "bar: 2 elements with a node at the place of another node, not joined to it: cells 40, 41 "
                                "(a run with --out shows them in offenders.pvd)");
-  EXPECT_EQ(warnings.texts[1], "bar: 3 points of its file without an element, left out");
+  EXPECT_EQ(warnings.texts[1], "bar: its file has 3 points without an element (left out)");
   ASSERT_EQ(warnings.offenders.size(), 1U);
   EXPECT_EQ(warnings.offenders[0].of, "bar");
   EXPECT_EQ(warnings.offenders[0].numbers, (std::vector<std::int64_t>{40, 41}));
@@ -144,8 +144,9 @@ TEST(MakeMesh, WarnsOfABodyThatIsLaidOverAnother) {
   scene.bodies[1].name = "copy";
   const MeshWarnings warnings = build(scene).mesh_warnings;
   ASSERT_EQ(warnings.texts.size(), 1U);
-  EXPECT_EQ(warnings.texts[0].substr(0, 20), "copy: over bar, 2 el") << warnings.texts[0];
-  EXPECT_TRUE(says(warnings.texts[0], ": the same body twice? (a run with --out shows them in offenders.pvd)")) << warnings.texts[0];
+  EXPECT_EQ(warnings.texts[0].substr(0, 24), "copy: lies on bar, 2 ele") << warnings.texts[0];
+  EXPECT_TRUE(says(warnings.texts[0], ": is the same body given twice? (a run with --out shows them in offenders.pvd)"))
+      << warnings.texts[0];
   ASSERT_EQ(warnings.offenders.size(), 1U);
   EXPECT_EQ(warnings.offenders[0].of, "copy");
   EXPECT_EQ(warnings.offenders[0].numbers, (std::vector<std::int64_t>{0, 1}));

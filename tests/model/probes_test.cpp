@@ -738,13 +738,134 @@ TEST(ProbePairs, HaveTheValueOfTheirDefinitionOrAreRefused) {
     ++checked;
   }
   EXPECT_GT(checked, 400);
-  EXPECT_EQ(unchecked, (std::set<std::string>{"angular_velocity", "force", "gap", "section_moment"}));
+  EXPECT_EQ(unchecked, (std::set<std::string>{"acceleration", "angular_velocity", "force", "gap", "section_moment"}));
   const std::string file = (std::filesystem::path(__FILE__).parent_path() / "probe_pairs.csv").string();
   if (std::getenv("NEREID_WRITE") != nullptr) std::ofstream(file) << table.str();
   std::ifstream stream(file);
   std::stringstream kept;
   kept << stream.rdbuf();
   EXPECT_EQ(kept.str(), table.str()) << "NEREID_WRITE=1 writes " << file;
+}
+
+// ------------------------------------------------------------------------------------------------ gauges, pairs, formulas
+
+/// A cube of 4 x 4 x 4 cells with the displacement (a x^2, b x y, 0) at the start.
+Scene strained(double a, double b) {
+  Scene scene;
+  scene.bodies = {{.name = "cube", .mesh = mesh::Box{Vec3::Zero(), Vec3::Ones(), {4, 4, 4}}, .law = material::Elastic{1000, 1e9, 0}}};
+  scene.initial = {{.body = "cube", .displacement = true,
+                    .value = {[a](double x, double, double, double) { return a * x * x; },
+                              [b](double x, double y, double, double) { return b * x * y; }, constant(0)}}};
+  scene.time.end = 1e-9;
+  return scene;
+}
+
+Probe strain(const std::string& name, const Vec3& near, const std::string& component) {
+  return {.name = name, .quantity = "strain", .of = "cube", .component = component, .near = near};
+}
+
+double last(Simulation& simulation, const std::string& name) { return probe(simulation, name).last; }
+
+TEST(Gauge, MeasuresTheElementThatIsNearest) {
+  Scene scene = strained(1e-6, 0);
+  scene.probes = {strain("g", Vec3(0.3, 0.1, 0.9), "xx")};
+  Simulation simulation = build(scene);
+  run(simulation);
+  EXPECT_NEAR(last(simulation, "g"), 1e-6 * (0.25 + 0.5), 1e-9) << "between x = 0.25 and 0.5";
+}
+
+TEST(Gauge, BetweenElementsHasTheirMean) {
+  Scene scene = strained(1e-6, 0);
+  scene.probes = {strain("g", Vec3(0.5, 0.5, 0.5), "xx"), strain("h", Vec3(0.5, 0.1, 0.1), "xx")};
+  Simulation simulation = build(scene);
+  run(simulation);
+  EXPECT_NEAR(last(simulation, "g"), 1e-6, 1e-10) << "the mean of eight";
+  EXPECT_NEAR(last(simulation, "h"), 1e-6, 1e-10) << "the mean of two";
+}
+
+TEST(Gauge, AlongADirectionHasTheTensorThere) {
+  Scene scene = strained(1e-6, 2e-6);
+  const Vec3 along = Vec3(1, 2, 0).normalized();
+  scene.probes = {strain("xx", Vec3(0.3, 0.3, 0.3), "xx"), strain("yy", Vec3(0.3, 0.3, 0.3), "yy"), strain("xy", Vec3(0.3, 0.3, 0.3), "xy"),
+                  {.name = "n", .quantity = "strain", .of = "cube", .near = Vec3(0.3, 0.3, 0.3), .along = along}};
+  Simulation simulation = build(scene);
+  run(simulation);
+  const double xx = last(simulation, "xx"), yy = last(simulation, "yy"), xy = last(simulation, "xy");
+  EXPECT_GT(std::abs(xy), 1e-7);
+  EXPECT_NEAR(last(simulation, "n"), (xx + 4 * yy + 4 * xy) / 5, 1e-18);
+}
+
+TEST(Gauge, BesideItsBodyIsRefusedAndSoIsOneOfARigidBody) {
+  Scene scene = strained(0, 0);
+  scene.probes = {strain("g", Vec3(1.1, 0.5, 0.5), "xx")};
+  EXPECT_THROW(
+      try { build(scene); } catch (const SceneError& error) {
+        EXPECT_NE(std::string(error.what()).find("'near' lies 0.1 m beside 'cube'"), std::string::npos) << error.what();
+        throw;
+      },
+      SceneError);
+}
+
+TEST(Probe, OfASetHasItsElementsAlone) {
+  Scene scene = strained(1e-6, 0);
+  scene.bodies[0].sets = {
+      {.name = "right", .zone = Zone{.kind = Zone::Kind::half_space, .from = Vec3(0.5, 0, 0), .normal = Vec3::UnitX()}}};
+  scene.probes = {{.name = "mean", .quantity = "strain", .of = "cube.right", .component = "xx"},
+                  {.name = "most", .quantity = "strain", .of = "cube.right", .component = "xx", .largest = true}};
+  Simulation simulation = build(scene);
+  run(simulation);
+  EXPECT_NEAR(last(simulation, "mean"), 1e-6 * 1.5, 1e-9);
+  EXPECT_NEAR(last(simulation, "most"), 1e-6 * 1.75, 1e-9);
+}
+
+TEST(Acceleration, OfAFreeBodyIsItsLoadOverItsMassInStepsAndRows) {
+  for (const bool rigid : {false, true}) {
+    Scene scene;
+    scene.bodies = {{.name = "cube", .mesh = mesh::Box{Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}, .law = material::Elastic{1000, 1e9, 0},
+                     .rigid = rigid}};
+    scene.loads = {{.name = "push", .kind = LoadKind::force, .on = "cube", .value = uniform(Vec3(3000, 0, 0))}};
+    scene.probes = {{.name = "a", .quantity = "acceleration", .of = "cube", .component = "x"}};
+    scene.time.end = 1e-3;
+    Simulation simulation = build(scene);
+    run(simulation);
+    EXPECT_NEAR(last(simulation, "a"), 3, 1e-9);
+    EXPECT_NEAR(probe(simulation, "a").largest, 3, 1e-9);
+    EXPECT_NEAR(probe(simulation, "a").smallest, 0, 1e-12) << "at the start no time has passed";
+  }
+}
+
+TEST(PairForce, OfAStackIsTheWeightThatIsAboveWhateverTheOrder) {
+  Scene scene;
+  const auto block = [](const char* name, double z) {
+    return Body{.name = name, .mesh = mesh::Box{Vec3(0, 0, z), Vec3(1, 1, z + 1), {1, 1, 1}}, .law = material::Elastic{1000, 1e7, 0}};
+  };
+  scene.bodies = {block("low", 0), block("middle", 1), block("high", 2)};
+  scene.planes = {{.name = "ground", .kind = load::PlaneKind::fixed, .nodes = {"low.z_low"}}};
+  scene.automatic_contacts = {{.name = "all", .self_contact = false}};
+  scene.gravity = Vec3(0, 0, -10);
+  scene.relaxation = dynamics::Relaxation{};
+  scene.probes = {
+      {.name = "top", .quantity = "force", .of = "all", .component = "z", .between = {"high", "middle"}},
+      {.name = "back", .quantity = "force", .of = "all", .component = "z", .between = {"middle", "high"}},
+      {.name = "under", .quantity = "force", .of = "all", .component = "z", .between = {"middle", "low"}},
+      {.name = "far", .quantity = "impulse", .of = "all", .component = "z", .between = {"high", "low"}},
+      {.name = "ratio",
+       .formula = {.inputs = {"under", "top"}, .value = [](const auto& in, double) { return in[0] / in[1]; }, .unit = "1"}}};
+  scene.time.end = 10;
+  Simulation simulation = build(scene);
+  EXPECT_EQ(run(simulation).ending, dynamics::Ending::relaxed);
+  EXPECT_NEAR(last(simulation, "top"), 1e4, 50);
+  EXPECT_NEAR(last(simulation, "under"), 2e4, 100);
+  EXPECT_EQ(last(simulation, "back"), -last(simulation, "top"));
+  EXPECT_EQ(last(simulation, "far"), 0);
+  EXPECT_EQ(last(simulation, "ratio"), last(simulation, "under") / last(simulation, "top"));
+}
+
+TEST(Formula, IsRefusedIfItTakesAProbeBelowIt) {
+  Scene scene = strained(0, 0);
+  const Formula twice{.inputs = {"g"}, .value = [](const auto& in, double) { return 2 * in[0]; }, .unit = "1"};
+  scene.probes = {{.name = "f", .formula = twice}, strain("g", Vec3(0.5, 0.5, 0.5), "xx")};
+  EXPECT_THROW(build(scene), SceneError);
 }
 
 }  // namespace

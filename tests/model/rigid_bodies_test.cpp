@@ -115,7 +115,7 @@ TEST(RigidBodies, AreRefusedWhatTheyCannotDo) {
   scene.relaxation.reset();
   scene.contacts = {{.name = "glue", .apexes = "bar.x_high", .base = "wall.x_low"}};
   scene.contacts[0].interface.kind = contact::InterfaceKind::tied;
-  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a tie to a rigid body is not there yet by multipliers"));
+  EXPECT_TRUE(says(refusal(scene), "contact 'glue': a tie by multipliers to a rigid body is not available"));
 }
 
 }  // namespace

@@ -88,11 +88,11 @@ TEST(CheckStages, RefusesWhatCannotBe) {
     return refusal(scene);
   };
   EXPECT_TRUE(says(with_change([](Scene& s) { s.initial = {{.body = "bar", .value = uniform({1, 0, 0})}}; }),
-                   "'bar' is meant to move, and relaxation would bring it to rest: give the velocity in a later stage"));
+                   "'bar' has a velocity, and relaxation would bring it to rest: give the velocity in a later stage"));
   EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[0].initial = {{.body = "bar", .value = uniform({1, 0, 0})}}; }),
-                   "'bar' is meant to move, and this stage would bring it to rest"));
+                   "'bar' has a velocity, and this stage would bring it to rest"));
   EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].initial[0].displacement = true; }), "a stage gives velocities"));
-  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].off = {"gravity"}; }), "'gravity' is gravity, which is on in all stages"));
+  EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].off = {"gravity"}; }), "'gravity' is gravity, which acts in all stages"));
   EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].off = {"holt"}; }), "'off' = holt is unknown"));
   EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].name = "preload"; }), "'name' = preload is given twice"));
   EXPECT_TRUE(says(with_change([](Scene& s) { s.stages[1].duration = 0; }), "'duration' = 0 is out of range"));
@@ -101,7 +101,7 @@ TEST(CheckStages, RefusesWhatCannotBe) {
   Scene relaxed = with({bar()});
   relaxed.relaxation = dynamics::Relaxation{};
   relaxed.initial = {{.body = "bar", .value = uniform({1, 0, 0})}};
-  EXPECT_TRUE(says(refusal(relaxed), "'bar' is meant to move"));
+  EXPECT_TRUE(says(refusal(relaxed), "'bar' has a velocity"));
 }
 
 TEST(CheckStages, AsksRigidBodiesToBeHeldWhereTheyRelax) {
@@ -118,7 +118,7 @@ TEST(CheckStages, AsksRigidBodiesToBeHeldWhereTheyRelax) {
   scene.bodies[1].rigid = true;
   scene.planes.push_back({.name = "rail", .kind = PlaneKind::constrained, .nodes = {"block.y_low"}, .normal = Vec3::UnitY()});
   scene.stages[0].off.push_back("rail");
-  EXPECT_TRUE(says(refusal(scene), "'rail' would come to hold the rigid body 'block'"));
+  EXPECT_TRUE(says(refusal(scene), "'rail' begins to hold the rigid body 'block' in a later stage"));
 }
 
 }  // namespace

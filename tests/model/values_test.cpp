@@ -153,7 +153,7 @@ TEST(CheckValues, RefusesEachConstantOfJohnsonAndCook) {
 
 TEST(CheckValues, RefusesALawThatPlatesMayNotHave) {
   Scene scene = whole();
-  scene.bodies[2].law = hot;
+  scene.bodies[2].law = material::NeoHookean{8000, 200e9, 0.25};
   EXPECT_EQ(refusal(scene), std::string("body 'sheet': ") + plates_may_have_other_laws);
 }
 
@@ -194,9 +194,9 @@ TEST(TooMany, RowsAndFramesAreRefusedByTheirCount) {
   EXPECT_EQ(too_many("frames_every", 1e-6, 1), "");
   EXPECT_EQ(too_many("frames_every", 0, 1), "") << "the default";
   EXPECT_EQ(too_many("frames_every", 1e-30, 1),
-            "'frames_every' = 1e-30 s asks for 1e+30 frames by the end at 1 s: expected at most a million");
+            "'frames_every' = 1e-30 s gives 1e+30 frames by the end at 1 s: expected at most a million");
   EXPECT_EQ(too_many("history_every", 1e-8, 1),
-            "'history_every' = 1e-08 s asks for 1e+08 rows by the end at 1 s: expected at most ten million");
+            "'history_every' = 1e-08 s gives 1e+08 rows by the end at 1 s: expected at most ten million");
 }
 
 TEST(FramesBetweenRows, AreRefused) {

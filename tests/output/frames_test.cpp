@@ -58,7 +58,7 @@ TEST(BodyGrid, ShowsContactForcesThatCancel) {
 
 TEST(ContactGrid, ShowsEveryPotentialElementOnceAsLineAndOnceAsFacet) {
   const Scene scene;
-  const Grid grid = contact_grid(scene.view());
+  const Grid grid = contact_grid(scene.view(), FrameFields::all);
   const auto apexes = static_cast<Eigen::Index>(std::get<contact::Interface>(scene.model.contacts[0]).apexes.size());
   EXPECT_EQ(grid.cells[0].nodes.cols(), apexes);
   EXPECT_EQ(grid.cells[1].nodes.cols(), apexes);
@@ -69,7 +69,7 @@ TEST(ContactGrid, ShowsEveryPotentialElementOnceAsLineAndOnceAsFacet) {
 
 TEST(ContactGrid, PutsTheFootOnTheBaseAndTheApexWhereItIs) {
   const Scene scene;
-  const Grid grid = contact_grid(scene.view());
+  const Grid grid = contact_grid(scene.view(), FrameFields::all);
   const auto& interface = std::get<contact::Interface>(scene.model.contacts[0]);
   for (std::size_t a = 0; a < interface.apexes.size(); ++a) {
     const auto first = static_cast<Eigen::Index>(5 * a);
@@ -86,7 +86,7 @@ TEST(ContactGrid, ShowsEdgesWhereTheyCross) {
   Scene scene;
   dynamics::State state = scene.state;
   dynamics::Model& model = scene.model;
-  const Eigen::Index before = contact_grid(scene.view()).cells[0].nodes.cols();
+  const Eigen::Index before = contact_grid(scene.view(), FrameFields::all).cells[0].nodes.cols();
   model.contacts.push_back(contact::EdgeContact());
   contact::EdgeMemory memory;
   Crossing crossing;
@@ -94,7 +94,7 @@ TEST(ContactGrid, ShowsEdgesWhereTheyCross) {
   crossing.node = {0, 1, 2, 3}, crossing.weight = {0.5, 0.5, -0.25, -0.75};
   memory.crossings = {crossing, Crossing{}};  // the second is not over its base edge
   state.contacts.push_back(memory);
-  const Grid grid = contact_grid({model, state, scene.forces, true});
+  const Grid grid = contact_grid({model, state, scene.forces, true}, FrameFields::all);
   ASSERT_EQ(grid.cells[0].nodes.cols(), before + 1);
   const Eigen::Index last = 5 * before;
   const Vectors& X = model.mesh.X;

@@ -78,7 +78,7 @@ TEST(Summary, SaysHowTheRunEndedAndWhatItFound) {
   EXPECT_HAS(text, R"("results":{"settlement":{"value":0.5,"unit":"m"}})");
   EXPECT_HAS(text, R"("overlaps":[{"bodies":["A","B"],"contacts":["A_on_B"],"deepest":{"value":0.5,"unit":"m"})");
   EXPECT_HAS(text, R"("place":{"value":[1.0,2.0,3.0],"unit":"m"},"time":{"value":0.125,"unit":"s"}})");
-  EXPECT_HAS(text, R"("not_used":["contact.colour"],"notes":["all is well"]})");
+  EXPECT_HAS(text, R"("not_used":["contact.colour"],"notes":["all is well"],"warnings":[]})");
 }
 
 TEST(Summary, NamesTheElementThatEndedTheRun) {
@@ -131,7 +131,7 @@ TEST(Summary, EmptySummaryKeepsItsShape) {
   EXPECT_HAS(text, R"("results":{},)");
   EXPECT_HAS(text, R"("accounts":{}})");
   EXPECT_HAS(text, R"("resolved":{}})");
-  EXPECT_HAS(text, R"("not_used":[],"notes":[]})");
+  EXPECT_HAS(text, R"("not_used":[],"notes":[],"warnings":[]})");
 }
 
 TEST(Summary, NamesThatComeTwiceAreRefused) {

@@ -109,12 +109,12 @@ class Measured(unittest.TestCase):
         source = re.sub(r'"\s*\n\s*"', "", (SCRIPTS.parent / "lib/model/notes.cpp").read_text(encoding="utf-8"))
         spread, single, plates = ("hourglass energy above that of the neighbours is %.3g of the strain energy of all solids",
                                   "%.3g of the strain energy of all solids is concentrated in single elements",
-                                  "no measure of one run tells the error of a mesh of plates")
+                                  "one run cannot estimate the error of a mesh of plates")
         self.assertEqual([words for words in (spread, single, plates) if words not in source], [])
-        self.assertEqual(word([f"warning: a: bodies of the scene flow, and {single}"], [f"note: a: {plates}"]), "warning")
+        self.assertEqual(word([f"warning: a: bodies of the scene deform plastically, and {single}"], [f"note: a: {plates}"]), "warning")
         self.assertEqual(word(["warning: contact: its apexes are 2 times as far apart"], [f"note: a: {spread}"]), "note")
         self.assertEqual(word((), [f"note: sheet: {plates}"]), "note")
-        self.assertEqual(word((), ["note: plastic_strain_a: a largest plastic strain follows the mesh"]), "nothing")
+        self.assertEqual(word((), ["note: plastic_strain_a: the largest plastic strain depends on the mesh"]), "nothing")
         self.assertEqual(word(), "nothing")
 
     def test_limits_of_the_program_are_those_of_the_page(self):

@@ -40,14 +40,21 @@ CHOICE, SEED = "invalid choice: 'nosuch'", "is no seed"
 NEEDS, NOT_BUILT, NO_FOLDER = "arguments are required", "is not built", "is no folder"
 
 # (script, words, what the sentence says). In words {file} is a file, {there} a folder, {programs} one with made-up programs,
-# {run} that of a run. `{one}` stands for each of what is listed behind.
+# {run} that of a run, {history} rows of a millisecond. `{one}` stands for each of what is listed behind.
 TABLE = [
     ("accuracy", "--only nosuch", CHOICE), ("accuracy", "--target={one}", "is no accuracy", "2 nan% 0% 1.2.3%".split()),
     ("accuracy", "--patience={one}", NUMBER, NO_NUMBERS), ("accuracy", "--patience 1e300", "is too long"),
     ("accuracy", "--drawn --jobs={one}", COUNT, NO_COUNTS), ("accuracy", "--drawn --seed={one}", COUNT, NO_COUNTS),
     ("accuracy", "nosuch", "unrecognized"),
+    ("cfc", "{run} --class 60 tip", "is no file"), ("cfc", "{file} tip", NEEDS), ("cfc", "{file} --class 61 tip", "invalid choice: 61"),
+    ("cfc", "{file} --class 60 tip", "is no column header"), ("cfc", "{history} --class 60 nosuch tap", "'tap'; did you mean tip?"),
+    ("cfc", "{history} --class 60 tip --out {there}", "is a folder"),
+    ("cfc", "{history} --class 60 tip --out {history}", "the history itself"),
+    ("cfc", "{history} --class 1000 tip", "too far for CFC 1000"), ("cfc", "{history} --class 60 time", "filtered over"),
+    ("cfc", "{history} --class 60 tip --out /proc/nosuch/a.csv", "cannot be written"),
     ("coarse", "--scenes={one}", COUNT, NO_COUNTS), ("coarse", "--seed={one}", SEED, NO_SEEDS), ("coarse", "nosuch", "unrecognized"),
-    ("convert_mesh", "nosuch.msh nosuch.txt", "is no .vtu file"),
+    ("import_mesh", "nosuch.msh nosuch.vtu", "is no file"), ("import_mesh", "{file} nosuch.txt", "is no .vtu file"),
+    ("import_mesh", "{file} {there}", "is no .vtu file"), ("import_mesh", "{file} a.vtu nosuch", "unrecognized"),
     ("benchmark", "--rounds={one}", COUNT, NO_COUNTS), ("benchmark", "nosuch", "invalid choice"),
     ("head_study", "{one}", "no table is called", ("plug", "all")),
     ("cask_study", "--levels={one}", COUNT, ("0,1,2",)), ("cask_study", "--levels 1,2 --default 2", "three levels"),
@@ -59,18 +66,29 @@ TABLE = [
     ("extremes", "--jobs={one}", COUNT, NO_COUNTS), ("extremes", "--random={one}", COUNT, NO_COUNTS),
     ("extremes", "--seed={one}", SEED, NO_SEEDS),
     ("extremes", "--clock={one}", NUMBER, NO_NUMBERS), ("extremes", "--known --out {there}", "has no verdicts"),
-    ("figure.py", "", NEEDS), ("figure.py", "nosuch", CHOICE), ("figure.py", "energy nosuch --out {there}/a.svg", NO_FOLDER),
-    ("figure.py", "energy {there}", NEEDS), ("figure.py", "energy {there} --out {there}", "is a folder: expected is a file"),
-    ("figure.py", "energy {there} --out {file}/a.svg", "is a file: expected is a folder"),
-    ("figure.py", "energy {there} --out /proc/nosuch/a.svg", "cannot be written"),
-    ("figure.py", "energy {there} --out {there}/a.svg", "history.csv: No such file"),
-    ("figure.py", "settlement {there} nosuch --out {there}/a.svg", NO_FOLDER),
+    ("figure", "", NEEDS), ("figure", "nosuch", CHOICE), ("figure", "energy nosuch --out {there}/a.svg", NO_FOLDER),
+    ("figure", "energy {there}", NEEDS), ("figure", "energy {there} --out {there}", "is a folder: expected is a file"),
+    ("figure", "energy {there} --out {file}/a.svg", "is a file: expected is a folder"),
+    ("figure", "energy {there} --out /proc/nosuch/a.svg", "cannot be written"),
+    ("figure", "energy {there} --out {there}/a.svg", "history.csv: No such file"),
+    ("figure", "settlement {there} nosuch --out {there}/a.svg", NO_FOLDER),
     ("forecast", "nosuch --drivers {programs}", NAME), ("forecast", "{there} --drivers {programs}", "has no case"),
     ("forecast", "--patience={one}", NUMBER, NO_NUMBERS),
     ("forecast", "verification/taylor_ba --drivers {programs}", "did you mean verification/taylor_bar or"),
     ("house.py", "", NEEDS), ("house.py", "nosuch", CHOICE), ("house.py", "all --root nosuch", NO_FOLDER),
+    ("keys", "nosuch", "unrecognized"), ("keys", "--drivers nosuch", "is no folder"), ("keys", "--drivers {there}", NOT_BUILT),
     ("limits.py", "nosuch", "unrecognized"),
+    ("pages", "--page nosuch.md", "no page is called 'nosuch.md'"), ("pages", "--page README", "did you mean README.md"),
+    ("pages", "--patience={one}", NUMBER, NO_NUMBERS), ("pictures", "nosuch.svg", "no picture is called 'nosuch.svg'"),
     ("refine", "", NEEDS), ("refine", "nosuch.yaml", "is no file"), ("refine", "{case} --by={one}", NUMBER, ("1,nan",)),
+    ("report", "", NEEDS), ("report", "nosuch", NO_FOLDER), ("report", "{file}", NO_FOLDER),
+    ("report", "{there}", "is no run: expected is"), ("report", "{run} {there}", "is no run"),
+    ("report", "{run} --at {one}", "is no time", ("x", "nan", "inf", "1km")),
+    ("report", "{run} --probes nosuch", "no probe is called 'nosuch'; there are: none"),
+    ("report", "{run} --quick --at 1", "leave --at and --field away"), ("report", "{run} --quick --field x", "leave --at and --field away"),
+    ("report", "{run} --quick --out {there}", "expected is a file"),
+    ("report", "{run} --quick --out {file}/a.html", "expected is a folder"),
+    ("report", "{run} --quick --out /proc/nosuch/a.html", "cannot be written"),
     ("refine", "{case} --levels={one}", COUNT, NO_COUNTS), ("refine", "{case} --threads={one}", COUNT, NO_COUNTS),
     ("refine", "{case} --threads 2000", "1024 at most"), ("refine", "{case} --set nosuch", "is no KEY=VALUE"),
     ("prove", "nosuch", "there is no 'nosuch'"), ("prove", "address nosuch", "there is no 'nosuch'"),
@@ -102,6 +120,7 @@ TABLE = [
     ("trade", "{case} --result depth --set nosuch=1 --drivers {programs} --out {there}", "unknown key 'nosuch'"),
     ("trade", "{case} --result depth --vary nosuch --drivers {programs} --out {there}", "'nosuch' is no input"),
     ("trade", "{case} --result depth --vary nosuch=1..2 --drivers {programs} --out {there}", "is refused: --set nosuch=1:1: unknown key"),
+    ("tutorial_pictures", "nosuch", "unrecognized"),
     ("update_case", "", NEEDS), ("update_case", "nosuch.yaml", "nosuch.yaml: No such file or directory"),
     ("update_case", "{there}", "Is a directory"),
     ("verify.py", "nosuch", "no folder of verification/ is called nosuch"), ("verify.py", "--quick --full", "not allowed"),
@@ -117,18 +136,24 @@ TABLE = [
     ("view.py", "{run} --time={one}", FINITE, NO_FINITE), ("view.py", "{run} --warp={one}", FINITE, NO_FINITE),
     ("view.py", "{run} --elevation={one}", FINITE, NO_FINITE), ("view.py", "{run} --azimuth={one}", FINITE, NO_FINITE),
     ("view.py", "{run} --range {one}", "--range", ("nan 1", "2 1")), ("view.py", "{run} --opacity={one}", "from 0 to 1", ("nan",)),
+    ("view.py", "{run} --cut-at {one}", FINITE, NO_FINITE), ("view.py", "{run} --hide nosuch", "no body is called 'nosuch'"),
+    ("view.py", "{run} --only nosuch", "no body is called 'nosuch'"), ("view.py", "{run} --cut nosuch", "no body is called 'nosuch'"),
+    ("view.py", "{run} --only a --hide a", "not allowed with"),
+    ("paraview_run.py", "nosuch", NO_FOLDER), ("paraview_run.py", "{there}", "lists no frame"),
+    ("paraview_run.py", "{run} --picture {there}", "expected is a file"), ("paraview_run.py", "{run} --time={one}", FINITE, NO_FINITE),
     ("view.py", "{run} --size {one}", "--size", ("0 1", "99999 1")), ("view.py", "{run} --out {there}", "expected is a file"),
     ("view.py", "{run} --frames {there} --time 1", "leave --time and --out away"),
     ("view.py", "{run} --frames {file}", "expected is a folder"), ("view.py", "{run} --frames /proc/nosuch", "cannot be written"),
     ("view.py", "{run} --out {file}/a.png", "expected is a folder"), ("view.py", "{run} --out /proc/nosuch/a.png", "cannot be written"),
 ]
 CASE_OF = {"accuracy": "", "coarse": "", "extremes": "", "refine": "{case}", "stops": "", "trade": "two_blocks", "verify.py": "",
-           "forecast": "", "figure_contact.py": ""}
+           "forecast": "", "contact_trade": "", "pages": "", "pictures": "", "tutorial_pictures": ""}
+WITHOUT_OUT = ("forecast", "contact_trade", "pages", "pictures")
 FOR_PROGRAMS = [one for script, case in CASE_OF.items() for one in (
     (script, f"{case} --drivers nosuch", "expected is the folder of the programs"),
     (script, f"{case} --drivers {{file}}", "expected is the folder"),
     (script, f"{case} --drivers {{there}}", NOT_BUILT))]
-FOR_RESULTS = [one for script, case in CASE_OF.items() if script not in ("forecast", "figure_contact.py") for one in (
+FOR_RESULTS = [one for script, case in CASE_OF.items() if script not in WITHOUT_OUT for one in (
     (script, f"{case} --out {{file}}/within --drivers {{programs}}", "expected is a folder"),
     (script, f"{case} --out {'x' * 300}/{{file}} --drivers {{programs}}", "is no name of a folder"),
     (script, f"{case} --out /proc/nosuch --drivers {{programs}}", "cannot be written"))]
@@ -186,12 +211,15 @@ class BadArguments(unittest.TestCase):
             (self.root / "programs" / name).write_text(DRIVER)
             (self.root / "programs" / name).chmod(0o755)
         made_up_run(self.root / "run")
+        self.history = self.root / "history.csv"
+        self.history.write_text("time [s],tip [m]\n" + "".join(f"{i / 1000},{i % 7}\n" for i in range(50)))
         self.case = self.root / "case.yaml"
         self.case.write_text("mesh: {cells: 4}\n")
 
     def refused(self, script, words, says, scripts=SCRIPTS, start=started):
         names = {name: self.root / name for name in ("file", "there", "programs", "run")}
-        words = [word.format(**names, case=self.case, root=ROOT) if not word.startswith("[") else word for word in words.split()]
+        names = {**names, "case": self.case, "history": self.history, "root": ROOT}
+        words = [word.format(**names) if not word.startswith("[") else word for word in words.split()]
         status, out, err = start(scripts / script, words, self.root)
         if status == 77:
             return

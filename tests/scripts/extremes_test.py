@@ -74,7 +74,8 @@ class Folder:
         (self.path / "summary.json").write_text('{"cost": {"steps": 7}}', encoding="utf-8")
 
     def write(self, name, X, x, v, cells, parts):
-        arrays = [data_array("displacement", x - X, "Float64"), data_array("velocity", v, "Float64"), data_array("points", X, "Float64"),
+        arrays = [data_array(measure.DEFORMED, np.array([1]), "Int32"), data_array("points", x, "Float64"),
+                  data_array("displacement", x - X, "Float64"), data_array("velocity", v, "Float64"),
                   data_array("part_id", np.array(parts), "Int32"), data_array("connectivity", np.concatenate(cells), "Int64"),
                   data_array("offsets", np.cumsum([len(cell) for cell in cells]), "Int64")]
         (self.path / name).write_text("\n".join(arrays), encoding="utf-8")
@@ -151,6 +152,21 @@ class Geometry(unittest.TestCase):
             path = Path(folder) / "one.vtu"
             path.write_text(data_array("points", values, "Float64"), encoding="utf-8")
             self.assertTrue(np.array_equal(measure.read_arrays(path, {"points"})["points"], values))
+
+    def test_frames_of_today_and_older_ones_give_the_same_positions(self):
+        made = Folder([("a", cube())], moved(0, (0.25, 0, 0)))
+        frames, parts, X = measure.read_frames(made.path)
+        self.assertTrue(np.array_equal(X, cube().points))
+        self.assertTrue(np.array_equal(frames[-1].x, X + (0.25, 0, 0)))
+        for number, frame in enumerate(frames):
+            arrays = [data_array("points", X, "Float64"), data_array("displacement", frame.x - X, "Float64"),
+                      data_array("velocity", frame.v, "Float64"), data_array("part_id", np.zeros(len(parts[0])), "Int32"),
+                      data_array("connectivity", parts[0].ravel(), "Int64"),
+                      data_array("offsets", 8 * np.arange(1, 1 + len(parts[0])), "Int64")]
+            (made.path / f"body/{number}.vtu").write_text("\n".join(arrays), encoding="utf-8")
+        older, older_parts, older_X = measure.read_frames(made.path)
+        self.assertTrue(np.array_equal(older_X, X) and np.array_equal(older_parts[0], parts[0]))
+        self.assertTrue(all(np.array_equal(one.x, other.x) for one, other in zip(frames, older)))
 
     def test_mass_and_depth_of_an_element(self):
         mesh = meshes.brick((0, 0, 0), (2, 3, 1), (2, 3, 4))
@@ -437,8 +453,8 @@ class Faults(unittest.TestCase):
 # ------------------------------------------------------------------------------------------------
 # Verdicts
 
-WARNING = ("warning: t: node 7 went {:.3g} m deep, 0.6 of the depth of an element, at 0.001 s: too soft a penalty or too fast an "
-           "approach\n")
+WARNING = ("warning: t: node 7 had a penetration of {:.3g} m, 0.6 of the depth of an element, at 0.001 s: the penalty is too soft or "
+           "the approach is too fast\n")
 STOP = "scene: stopped at 0.1 s: energy_created in t: created 6 % of the initial kinetic energy (30 J of 500 J); the limit is 5 %\n"
 REFUSAL = ("case.yaml:3:1: 3 of 9 apexes start penetrated, by 0.1 m at most: move the bodies apart, or say "
            "'initial_penetration: accept'\n")
@@ -477,7 +493,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(asked, ["frames", 0.001])
 
     def test_a_swing_of_the_kinetic_energy_is_held_against_the_history_and_covers_no_more_than_it_names(self):
-        said = ("warning: time integration: the kinetic energy swung by 6 % of the energy of the scene, 500 J, and came back; "
+        said = ("warning: time integration: the staggering error of the kinetic energy reached 6 % of the energy of the scene, 500 J; "
                 "it goes with the square of the step\n")
         for swing, rise, found in ((0.06, 0.065, judge.WARNED), (0.001, 0.065, judge.BROKEN), (0.06, 0.3, judge.BROKEN)):
             with self.subTest(swing=swing, rise=rise):
@@ -496,7 +512,7 @@ class Verdicts(unittest.TestCase):
         one, other = cube((1000, 0, 0)), cube((1000.3, 0.2, 1.0))
         places = [("a", one), ("b", other)]
         motion = moved(len(one.points), (0, 0, 0.5))
-        said = "warning: a: so far from the origin positions are rounded by {:.2g} m, 1e-12 of an element, and contact magnifies that\n"
+        said = "warning: a: this far from the origin, positions are rounded by {:.2g} m, 1e-12 of an element, and contact magnifies that\n"
         for claimed, way, found in ((1.1e-13, 0.505, judge.WARNED), (1.1e-12, 0.505, judge.BROKEN), (1.1e-13, 0.6, judge.BROKEN)):
             with self.subTest(claimed=claimed, way=way):
                 far = Folder(places, motion, case=TOUCH)
@@ -567,7 +583,7 @@ class Verdicts(unittest.TestCase):
             self.assertEqual(verdict(seen, status=3, said=said, again=again)[0], found)
 
     def test_a_warning_of_a_thickness_is_held_against_the_areas(self):
-        said = "warning: p: plates keep their thickness, and the strain of element 0 asks for {:.3g} of it at 1 s: its forces are off\n"
+        said = "warning: p: plates keep their thickness, but with the strain of element 0 it would be {:.3g} of the initial one at 1 s\n"
         grown = Folder([("p", meshes.sheet((0, 0), (1, 1), (2, 2)))], lambda X, t: (X * (1 + 0.05 * t), 0 * X), thickness=0.1,
                        columns={"energy_kinetic": [0, 0]})
         grown.case["bodies"][0]["material"]["poisson"] = 0.3
@@ -585,7 +601,7 @@ class Verdicts(unittest.TestCase):
                 self.assertEqual(verdict(one, said=said.format(claimed))[0], found)
 
     def test_a_warning_of_concentrated_energy_is_held_against_the_strains(self):
-        said = "warning: {}: {:.3g} of the strain energy of all solids is concentrated in single elements, most of it there (limit 0.17)\n"
+        said = "warning: {}: {:.3g} of the strain energy of all solids is concentrated in single elements, most of it in this body\n"
         one, other = cube(cells=(5, 5, 5)), cube((3, 0, 0))
 
         def dented(X, t):  # the elements at one corner of `a` have nearly all of the strain energy
@@ -606,7 +622,7 @@ class Verdicts(unittest.TestCase):
         source = (ROOT / "lib/model/notes.cpp").read_text(encoding="utf-8")
         source = re.sub(r'"\s*\n\s*"', "", source)  # literals that follow each other are one
         fragments = [*judge.KINDS_OF_NOTES.values(), "of the strain energy of all solids is concentrated in single elements",
-                     "bodies of the scene flow, and ", "hourglass energy reached %.3g of the internal energy",
+                     "bodies of the scene deform plastically, and ", "hourglass energy reached %.3g of the internal energy",
                      "the energy of distortion control reached %.3g of the internal energy", "was pressed by %.3g of Young's modulus"]
         self.assertEqual([one for one in fragments if one not in source], [])
 
@@ -628,7 +644,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual([(judge.kind_of(warning), true) for warning, true in found.warnings],
                          [("depth of a node", True), ("depth of a node", False)])
         self.assertEqual(judge.kind_of("a: hourglass energy reached 0.4 of the internal energy, and"), "hourglass")
-        for flow in ("", "bodies of the scene flow, and "):
+        for flow in ("", "bodies of the scene deform plastically, and "):
             self.assertEqual(judge.kind_of(f"a: {flow}0.43 of the strain energy of all solids is concentrated in single elements, most"),
                              "concentrated strain energy")
         self.assertEqual(judge.kind_of("something else"), "other")

@@ -28,7 +28,7 @@ class Misses(unittest.TestCase):
         self.assertFalse(forecast.is_miss(one(seconds=2.1, long=0.4), "seconds"))
 
     def test_open_contacts_that_are_told_may_be_closed_for_a_part_of_the_time(self):
-        told = forecast.OPEN.search("not in these seconds: some 30 s more if all 99 nodes of the surfaces touched all the time")
+        told = forecast.OPEN.search("cost is not in the forecast: about 30 s more if all 99 nodes of the surfaces touched all the time")
         for true, said in ((20, 20), (5, 10), (50, 40)):
             self.assertEqual(forecast.nearest(10, told, true), said)
         self.assertEqual(forecast.nearest(10, None, 20), 10)

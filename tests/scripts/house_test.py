@@ -235,6 +235,35 @@ class Retired(HouseTest):
         self.assertEqual(self.look("retired", {"docs/page.md": "hardness\n"}), (0, ""))
 
 
+class Circles(HouseTest):
+    def test_two_modules_that_import_each_other(self):
+        self.expect("circles", {"scripts/a.py": "import sys\nimport b\n", "scripts/b.py": "import a\n"},
+                    "scripts/a.py:2: imports itself: a.py -> b.py -> a.py")
+
+    def test_an_import_within_a_function_counts(self):
+        self.expect("circles", {"scripts/a.py": "from b import one\n", "scripts/b.py": "import c\n",
+                                "scripts/c.py": "def late():\n    import a\n    return a\n"},
+                    "scripts/a.py:1: imports itself: a.py -> b.py -> c.py -> a.py")
+
+    def test_a_circle_that_a_program_only_reaches_is_told_once(self):
+        self.expect("circles", {"scripts/a.py": "import b\n", "scripts/b.py": "import a\n",
+                                "scripts/run": "#!/usr/bin/python3\nimport a\n"},
+                    "scripts/a.py:1: imports itself")
+
+    def test_a_program_and_a_module_of_one_name(self):
+        self.assertEqual(self.look("circles", {"scripts/figure": "#!/usr/bin/python3\nimport figure\n"}), (0, ""))
+
+    def test_a_figure_that_imports_its_study(self):
+        self.expect("circles", {"scripts/figure_bar.py": "import figure\nimport numpy\nimport bar\n", "scripts/bar.py": ""},
+                    "scripts/figure_bar.py:3: imports bar.py; a figure takes data")
+        self.assertEqual(self.look("circles", {"scripts/figure_bar.py": "import figure\nimport figure_head\nimport numpy\n",
+                                               "scripts/figure_head.py": "from figure import plt\n",
+                                               "scripts/bar.py": "import figure_bar\n"}), (0, ""))
+
+    def test_a_file_that_is_no_python(self):
+        self.expect("circles", {"scripts/a.py": "import sys\nimport\n"}, "scripts/a.py:2: is no Python")
+
+
 class Mirror(HouseTest):
     def test_test_of_nothing(self):
         self.expect("mirror", {"tests/mesh/ball_test.cpp": ""}, "tests/mesh/ball_test.cpp:1: tests nothing; expected is lib/mesh/ball")

@@ -76,8 +76,8 @@ class LimitsTest(unittest.TestCase):
         self.assertEqual([time for time, _ in compare_runs.curves(changes.Twin(self.base, other))["tip"]], [0.0, 2.0, 3.0])
 
     def test_counts_and_times_of_events_are_no_results(self):
-        ours = self.made("ours", [1.0] * 4, {"touch_walks": 4, "tip_largest_at": 1.0, "touch_deepest": 2.0})
-        theirs = self.made("theirs", [1.0] * 4, {"touch_walks": 5, "tip_largest_at": 2.0, "touch_deepest": 1.0})
+        ours = self.made("ours", [1.0] * 4, {"touch_reconnections": 4, "tip_largest_at": 1.0, "touch_deepest": 2.0})
+        theirs = self.made("theirs", [1.0] * 4, {"touch_reconnections": 5, "tip_largest_at": 2.0, "touch_deepest": 1.0})
         self.assertEqual(compare_runs.ends(changes.Twin(ours, theirs)), {"result touch_deepest": 0.5})
 
 

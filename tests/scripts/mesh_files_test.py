@@ -1,5 +1,6 @@
 """scripts/mesh_files.py: meshes of files split apart from the program."""
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -27,6 +28,17 @@ class SplitTest(unittest.TestCase):
         fine = mesh_files.split(flat)
         self.assertEqual(sorted(map(len, fine.cells)), [3] * 4 + [4] * 4)
         self.assertEqual(len(fine.points), 4 + 5 + 1)  # with the diagonal, which is the side of the triangle
+
+    def test_names_of_groups_survive_writing_splitting_and_other_numbers(self):
+        named = mesh_files.Mesh(CUBE.points, CUBE.cells, {}, {"region": [7], "number": [1.0]}, {"steel": (7, 3)})
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "named.vtu"
+            mesh_files.write(path, named)
+            read = mesh_files.read(path)
+        self.assertEqual((read.groups, read.cell_arrays), ({"steel": (7, 3)}, {"region": [7]}))  # arrays of reals are not read
+        self.assertEqual(mesh_files.split(read).groups, read.groups)
+        self.assertEqual(mesh_files.mirrored(read).groups, read.groups)
+        self.assertEqual(mesh_files.renumbered(read, lambda n: list(range(n)))[0].groups, read.groups)
 
     def test_collapsed_cells_are_none_of_its(self):
         with self.assertRaises(mesh_files.Unreadable):

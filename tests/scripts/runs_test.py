@@ -284,6 +284,26 @@ class HistoryTest(unittest.TestCase):
                             "</DataArray></VTKFile>")
             self.assertEqual(runs.read_fields(file), {"x": [(0.0, 1.0, 2.0), (3.0, 4.0, 5.0)]})
 
+    def test_points_are_those_at_the_start_in_files_of_today_and_older_ones(self):
+        def array(name, kind, *values, width=1):
+            data = struct.pack(f"<{len(values)}{kind}", *values)
+            packed = zlib.compress(data)
+            text = base64.b64encode(struct.pack("<4Q", 1, 32768, len(data), len(packed))) + base64.b64encode(packed)
+            of_kind = {"d": "Float64", "i": "Int32"}[kind]
+            return (f'<DataArray type="{of_kind}" Name="{name}" NumberOfComponents="{width}" format="binary">{text.decode()}</DataArray>')
+
+        units = array("units", "i", 1)
+        # arrays of the whole file have names of bodies, which may be those of fields
+        now = array("points_are_deformed", "i", 1) + array("displacement [m]", "d", 1.0) + array("points", "i", 0, 3)
+        for whole, points in ((units, (1.0, 2.0, 3.0)), (now, (1.5, 2.0, 3.0))):
+            with self.subTest(whole), tempfile.TemporaryDirectory() as folder:
+                file = Path(folder) / "one.vtu"
+                file.write_text(f"<VTKFile><Grid><FieldData>{whole}</FieldData><Piece><PointData>"
+                                f'{array("displacement", "d", 0.5, 0.0, 0.0, width=3)}</PointData><Points>'
+                                f'{array("points", "d", *points, width=3)}</Points></Piece></Grid></VTKFile>', encoding="utf-8")
+                self.assertEqual(runs.read_fields(file), {"displacement": [(0.5, 0.0, 0.0)], "points": [(1.0, 2.0, 3.0)],
+                                                          "positions": [(1.5, 2.0, 3.0)]})
+
 
 if __name__ == "__main__":
     unittest.main()

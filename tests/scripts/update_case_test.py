@@ -165,6 +165,31 @@ class CommandTest(unittest.TestCase):
             self.assertEqual(path.read_bytes(), b"one\n--set contacts[0].penalty_scale=4 # \xe4\n")
             self.assertEqual(update_case.main(["--check", str(path)]), 0)
 
+    def test_meshes_that_are_frames_of_runs_are_told_in_notes(self):
+        try:
+            import yaml  # noqa: F401
+        except ImportError:
+            self.skipTest("needs python3-yaml")
+        case = "bodies:\n" + "".join(f"  - {{name: {name}, mesh: {{kind: file, path: {path}}}}}\n" for name, path in (
+            ("a", "new.vtu"), ("b", "old.vtu"), ("c", "plain.vtu"), ("d", "out/body/body_000003.vtu"), ("e", "missing.vtu")))
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said:
+            folder = Path(folder)
+            (folder / "new.vtu").write_text('<DataArray type="Int32" Name="points_are_deformed" NumberOfTuples="1">', encoding="utf-8")
+            (folder / "old.vtu").write_text('<DataArray type="Float32" Name="units" NumberOfComponents="1" '
+                                            'ComponentName0="displacement [m]">', encoding="utf-8")
+            (folder / "plain.vtu").write_text('<DataArray type="Float64" Name="points">', encoding="utf-8")
+            path = folder / "case.yaml"
+            path.write_text(case, encoding="utf-8")
+            self.assertEqual(update_case.main(["--check", str(path)]), 0)
+            self.assertEqual(path.read_text(encoding="utf-8"), case)
+            self.assertEqual(update_case.main([str(folder / "nosuch.yaml")]), 2)
+        notes = said.getvalue().splitlines()[:-1]
+        self.assertEqual(len(notes), 3)
+        for note, line, name, what in zip(notes, (2, 3, 5), ("new.vtu", "old.vtu", "out/body/body_000003.vtu"),
+                                          ("the mesh is the deformed shape", "of an older version", "is not there")):
+            self.assertIn(f"case.yaml:{line}: note: '{name}' ", note)
+            self.assertIn(what, note)
+
     def test_bytes_that_are_not_utf8_stay_in_yaml_too(self):
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
             path = Path(folder) / "case.yaml"

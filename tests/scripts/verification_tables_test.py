@@ -8,7 +8,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import verification_tables as tables  # noqa: E402  (after the path)
 import verify  # noqa: E402
 
-ACCEPT = "CATALOGUE, EVIDENCE = ('I-3',), 'exact'\n"
+
+def kind_of(name):
+    return ["I-3"], "exact"
 
 
 def outcome(error=0.005, limit=0.01, name="bar", full_error=0.3):
@@ -29,12 +31,11 @@ class TablesTest(unittest.TestCase):
         self.root = Path(holder.name)
         folder = self.root / "verification" / "bar"
         folder.mkdir(parents=True)
-        (folder / "accept.py").write_text(ACCEPT)
         (folder / "README.md").write_text("# A bar\n\nauthored\n")
         self.page = self.root / tables.PAGE
         self.page.parent.mkdir()
         self.page.write_text("# All\n\nauthored\n")
-        tables.write(self.root, {"bar": outcome()})
+        tables.write(self.root, {"bar": outcome()}, ["bar"], kind_of)
 
     def stale(self, out):
         out.save(self.root / "quick")
@@ -44,7 +45,7 @@ class TablesTest(unittest.TestCase):
         self.assertEqual(self.stale(outcome()), [])
 
     def test_only_the_block_is_written_anew(self):
-        tables.write(self.root, {"bar": outcome(error=0.007)})
+        tables.write(self.root, {"bar": outcome(error=0.007)}, ["bar"], kind_of)
         for page in (self.page, self.root / "verification" / "bar" / "README.md"):
             text = page.read_text()
             self.assertIn("authored", text)
@@ -89,7 +90,7 @@ class TablesTest(unittest.TestCase):
     def test_a_page_that_is_missing_has_no_lines_and_is_written_anew(self):
         self.page.unlink()
         self.assertEqual(tables.page_lines(self.root), {})
-        tables.write(self.root, {"bar": outcome()})
+        tables.write(self.root, {"bar": outcome()}, ["bar"], kind_of)
         self.assertEqual(self.stale(outcome()), [])
 
     def test_a_line_of_a_case_that_is_gone_is_stale(self):

@@ -634,20 +634,20 @@ OF_DEPTH = re.compile(r"deep|overlap|penetrat|inside|through|pass", re.IGNORECAS
 
 
 OF_HOURGLASS = re.compile(r"(\w+): hourglass energy reached " + NUMBER + " of the internal energy")
-OF_CONCENTRATED = re.compile(r"(\w+): (?:bodies of the scene flow, and )?" + NUMBER +
+OF_CONCENTRATED = re.compile(r"(\w+): (?:bodies of the scene deform plastically, and )?" + NUMBER +
                              " of the strain energy of all solids is concentrated in single elements")
 OF_CONTROL = re.compile(r"(\w+): the energy of distortion control reached " + NUMBER + " of the internal energy")
 OF_PRESSED = re.compile(r"(\w+): element \d+ was pressed by " + NUMBER + " of Young's modulus")
-OF_NODE = re.compile(r"(\w+): node \d+ went " + NUMBER + " m deep")
+OF_NODE = re.compile(r"(\w+): node \d+ had a penetration of " + NUMBER + " m")
 OF_OVERLAP = re.compile(r"(\w+)[\w.]* and (\w+)[\w.]* overlap by " + NUMBER + " m")
 OF_DEEPER = re.compile(r"and by " + NUMBER + " m where elements are larger")
 OF_ITSELF = re.compile(r"(\w+)[\w.]* overlaps itself by " + NUMBER + " m")
 OF_ENERGY = re.compile(r"(\w[\w ]*): (?:created|lost) " + NUMBER + r" % of the energy (that it transferred|of the scene)")
-OF_SWING = re.compile(r"time integration: the kinetic energy swung by " + NUMBER + " % of the energy of the scene")
+OF_SWING = re.compile(r"time integration: the staggering error of the kinetic energy reached " + NUMBER + " % of the energy of the scene")
 OF_COARSE_APEXES = re.compile(r"\w+: its apexes are " + NUMBER + " times as far apart as the nodes of its base")
-OF_ROUNDING = re.compile(r"(\w+): so far from the origin positions are rounded by " + NUMBER + " m")
+OF_ROUNDING = re.compile(r"(\w+): this far from the origin, positions are rounded by " + NUMBER + " m")
 AT_TIME = re.compile(r" at " + NUMBER + r" s\b")
-OF_THICKNESS = re.compile(r"(\w+): plates keep their thickness, and the strain of element (\d+) asks for " + NUMBER)
+OF_THICKNESS = re.compile(r"(\w+): plates keep their thickness, but with the strain of element (\d+) it would be " + NUMBER)
 OF_CORNER = re.compile(r"(\w+): a corner of element \d+ was inverted")
 OF_STOP = re.compile(r"\w+: stopped at " + NUMBER + " s")
 OF_INVERSION = re.compile(r"inverted_element in (\w+)")
@@ -663,11 +663,11 @@ NEARLY_FLAT = 0.25  # [-] a corner that was inverted between two frames stands a
 KINDS = {"hourglass": OF_HOURGLASS, "concentrated strain energy": OF_CONCENTRATED, "distortion control": OF_CONTROL,
          "pressed elements": OF_PRESSED, "thickness of plates": OF_THICKNESS,
          "inverted corner": OF_CORNER, "depth of a node": OF_NODE, "overlap": OF_OVERLAP, "overlap with itself": OF_ITSELF,
-         "energy created": OF_ENERGY, "swing of the kinetic energy": OF_SWING, "rounding": OF_ROUNDING}
+         "energy created": OF_ENERGY, "staggering error of the kinetic energy": OF_SWING, "rounding": OF_ROUNDING}
 
 
 KINDS_OF_NOTES = {"hourglass": "hourglass energy above that of the neighbours",
-                  "plates": "of a mesh of plates", "contact nodes": "the largest force of this contact was carried by",
+                  "plates": "of a mesh of plates", "contact nodes": "the largest force of this contact acted on",
                   "plastic strain": "largest plastic strain", "restitution": "'restitution'"}
 
 

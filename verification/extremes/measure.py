@@ -21,6 +21,7 @@ MOST_AT_ONCE = 400_000              # pairs of points and triangles in one piece
 GROUPS, MOST_TOGETHER = 6, 200      # parts of a length, and points in a group of such as lie beside each other
 UNSEEN = 1e-4                       # [-] of an element: a point that is less deep counts as outside, where depths need not be exact
 FEW = 12                            # triangles that are tried first
+DEFORMED = "points_are_deformed"    # array of a whole file: its points stand where they are at its time
 
 
 class Unreadable(Exception):
@@ -108,13 +109,14 @@ def read_frames(folder):
               for one in re.findall(r"<DataSet ([^>]*)/>", index.read_text(encoding="utf-8"))]
     frames, parts, X = [], {}, None
     for number, (time, path) in enumerate(listed):
-        wanted = {"points", "displacement", "velocity"} | ({"part_id", "connectivity", "offsets"} if number == 0 else set())
+        wanted = {"points", "displacement", "velocity", DEFORMED} | ({"part_id", "connectivity", "offsets"} if number == 0 else set())
         arrays = read_arrays(path, wanted)
         if "points" not in arrays:
             raise Unreadable(f"{path} holds no points")
-        frames.append(Frame(time, arrays["points"] + arrays["displacement"], arrays["velocity"].astype(float)))
+        x = arrays["points"] if DEFORMED in arrays else arrays["points"] + arrays["displacement"]
+        frames.append(Frame(time, x, arrays["velocity"].astype(float)))
         if number == 0:
-            X = arrays["points"]
+            X = x - arrays["displacement"] if DEFORMED in arrays else arrays["points"]
             parts = cells_of_parts(arrays)
     return frames, parts, X
 

@@ -1,0 +1,274 @@
+"""The report of a run is one file that needs nothing else, shows all that the run has, and says what it does not have."""
+import html.parser
+import importlib.util
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+try:
+    import report_page  # needs matplotlib
+except ImportError as error:
+    print(f"skipped: {error}")
+    sys.exit(77)
+import frames  # noqa: E402
+import report_energy  # noqa: E402
+import report_results  # noqa: E402
+import report_run  # noqa: E402
+import report_scene  # noqa: E402
+import report_text  # noqa: E402
+from made_up import script  # noqa: E402
+
+NOTES = ["initial gaps   apexes  on facet", "touch              36        36", "               penalty 2e7 Pa/m",
+         "touch: its apexes are 1.33 times as far apart as the nodes of its base, so that the stress beside the interface is wrong by up "
+         "to 10 %: exchange 'apexes' and 'base', or take 'passes: two'",
+         "bar and wall overlap by 0.1 m, 0.2 of an element, at (0, 0, 0) m at 0.1 s",
+         "note: tip: the largest plastic strain depends on the mesh: '--accuracy' with '--of' estimates the mesh error of a result",
+         "the smallest step was limited by element 4 of 'bar'"]
+HEADER = "time [s],pull [N] mean,tip [m],energy_kinetic [J],energy_bar_elastic [J],energy_created_bar [J],energy_integration [J]"
+HISTORY = HEADER + "\n0,0,0,100,0,0,0\n0.1,-2000,0.001,60,40,0.01,0\n0.2,0,0.002,90,10,0.02,0\n"
+
+
+def quantity(value, unit):
+    return {"value": value, "unit": unit}
+
+
+def said(value, unit=None, default=False):
+    return {"value": value, "unit": unit, "default": default}
+
+
+def account(kind, created=0.0):
+    return {"kind": kind, "work": quantity(-10.0, "J"), "stored": {"elastic": quantity(10.0, "J")}, "dissipated": {},
+            "created": quantity(created, "J"), "created_relative": quantity(created / 100, "1"), "passed": quantity(50.0, "J"),
+            "created_of_passed": quantity(0.0, "1"), "impulse": quantity([0, 0, 0], "N s")}
+
+
+def summary(word="reached_end", friction=0.2, tip=0.002, reason=""):
+    return {"driver": "scene", "ending": {"word": word, "reason": reason, "time": quantity(0.2, "s"), "block": None, "element": None},
+            "results": {"tip_last": quantity(tip, "m"), "tip_largest": quantity(tip, "m"), "tip_largest_at": quantity(0.2, "s"),
+                        "tip_smallest": quantity(0.0, "m"), "tip_smallest_at": quantity(0.0, "s"), "touch_deepest": quantity(None, "m"),
+                        "plain_<b>": quantity(7.0, "1")},
+            "ledger": {"initial_kinetic": quantity(100.0, "J"), "kinetic": quantity(90.0, "J"), "energy_scale": quantity(100.0, "J"),
+                       "accounts": {"bar": account("block", 0.02), "touch": account("interface")}},
+            "overlaps": [], "touched": [], "not_used": ["mesh.extra"], "notes": NOTES, "warnings": NOTES[3:5],
+            "cost": {"elements": 8, "steps": 20, "element_updates": 160, "wall_seconds": 2.0, "threads": 1, "frames": 0,
+                     "contact": {"steps": 3, "seconds": 0.5, "stages": {"search": 0.5}}},
+            "provenance": {"version": "1.2.3", "commit": "abc", "case_path": "cases/<b>.yaml", "case_hash": "0123",
+                           "resolved": {"time": {"created_limit": said(0.05, "1", True)},
+                                        "bodies": [{"name": said("bar"),
+                                                    "material": {"kind": said("elastic"), "young": said(2.1e11, "Pa")}}],
+                                        "contacts": [{"name": said("touch"), "friction": said(friction, "1")}],
+                                        "probes": [{"name": said("tip"), "quantity": said("displacement")}]}}}
+
+
+class Links(html.parser.HTMLParser):
+    """Addresses, names of places, and tags of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.addresses, self.places, self.tags, self.open = [], [], set(), []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        found = dict(attributes)
+        self.tags.add(tag)
+        self.addresses += [value for key, value in found.items() if key in ("src", "href", "action", "data")]
+        self.places += [found["id"]] if "id" in found else []
+        if tag not in ("meta", "br", "img", "line", "rect"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in ("meta", "br", "img", "line", "rect"):
+            assert self.open.pop() == tag, tag
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.root = Path(holder.name)
+
+    def run_of(self, name="run", history=HISTORY, **words):
+        folder = self.root / name
+        folder.mkdir()
+        if history:
+            (folder / "history.csv").write_text(history)
+        if words.pop("finished", True):
+            (folder / "summary.json").write_text(json.dumps(summary(**words)))
+        return folder
+
+    def assertIn(self, part, whole):
+        self.assertTrue(part in whole, part)  # without a page of a megabyte
+
+    def page(self, *folders, **words):
+        text = report_page.page(report_run.read(folders), report_scene.Wanted(with_pictures=False, **words))
+        self.links = Links(text)
+        self.assertEqual(self.links.open, [])
+        return text
+
+    def test_nothing_on_the_page_is_from_outside(self):
+        for folders in ([self.run_of("one")], [self.root / "one", self.run_of("two", friction=0.4)]):
+            text = self.page(*folders)
+            for address in self.links.addresses:
+                self.assertTrue(address.startswith(("#", "data:")), address)
+                self.assertTrue(address[0] != "#" or address[1:] in self.links.places, address)
+            self.assertEqual(len(self.links.places), len(set(self.links.places)))
+            self.assertFalse(self.links.tags & {"script", "link", "iframe", "b>"})
+            self.assertNotRegex(text, r"url\(|@import")
+
+    def test_all_histories_and_results_are_on_the_page(self):
+        text = self.page(self.run_of())
+        for name in ("history of pull", "history of tip", "energies of run", "created energy of run"):
+            self.assertIn(f"alt='{name}", text)
+        for name in ("tip", "touch_deepest", "plain_&lt;b&gt;"):
+            self.assertIn(name, text)
+        self.assertIn("none", re.search("touch_deepest.*?</tr>", text).group())
+        for value in ("2.1e+11 Pa", "210 GPa", "1.2.3", "0123", "20", "element 4 of &#x27;bar&#x27;", "cases/&lt;b&gt;.yaml"):
+            self.assertIn(value, text)
+        self.assertNotIn("<b>.yaml", text)
+
+    def test_forces_are_told_to_be_means(self):
+        self.assertRegex(self.page(self.run_of()), "means over the time since the row before.*: pull")
+
+    def test_only_the_probes_that_are_asked_for_are_drawn(self):
+        text = self.page(self.run_of(), probes=["tip"])
+        self.assertNotIn("history of pull", text)
+        self.assertIn("history of tip", text)
+
+    def test_warnings_come_first_with_remedy_and_place(self):
+        text = self.page(self.run_of())
+        self.assertLess(text.index("<section id='warnings'>"), text.index("<section id='setup'>"))
+        self.assertIn("<b>Remedy:</b> exchange &#x27;apexes&#x27; and &#x27;base&#x27;, or take &#x27;passes: two&#x27;.", text)
+        self.assertIn("<a href='#source-touch'>touch in the set-up</a>", text)
+        self.assertIn("<a href='#overlaps'>", text)
+        self.assertIn("<a href='#histories'>the history of tip</a>", text)
+        self.assertIn("did not use these keys of the case: mesh.extra", text)
+        kinds = re.findall("<li class=(ending|warning|note|information)>", text)
+        self.assertEqual(kinds, ["warning"] * 3 + ["note"])
+        self.assertRegex(text, "<pre>initial gaps[^<]*penalty 2e7 Pa/m</pre>")
+
+    def test_a_run_that_the_physics_stopped_says_why_before_all_else(self):
+        text = self.page(self.run_of(word="energy_created", reason="bar created 7 %"))
+        self.assertRegex(text, "class='ended stopped'>.*because energy was created.*bar created 7 %.*exit status 3")
+        self.assertRegex(text, "<li class=ending>.*<a href='#energy'>the energy balance, bar</a>")
+
+    def test_what_is_missing_is_said(self):
+        text = self.page(self.run_of("unfinished", HISTORY + "0.3,1", finished=False))
+        for words in ("summary.json is missing, so the run was not finished", "row 5 is damaged or cut", "The cost is unknown",
+                      "There are no results", "The provenance is unknown", "It is unknown how the run <b>unfinished</b> ended"):
+            self.assertIn(words, text)
+        self.assertIn("history of pull", text)
+        text = self.page(self.run_of("bare", history=""))
+        self.assertIn("history.csv cannot be read", text)
+        self.assertIn("There are no histories", text)
+        broken = self.run_of("broken")
+        (broken / "summary.json").write_text("[1, 2")
+        self.assertIn("summary.json cannot be read", self.page(broken))
+        (broken / "summary.json").write_text("[1, 2]")
+        self.assertIn("expected is an object", self.page(broken))
+
+    def test_a_run_without_pictures_says_why(self):
+        runs = report_run.read([self.run_of()])
+        self.assertEqual(report_page.page(runs, report_scene.Wanted()).count("the run has no frames of bodies"), 2)
+
+    def test_two_runs_stand_over_each_other(self):
+        text = self.page(self.run_of("coarse"), self.run_of("fine", friction=0.3, tip=0.0021))
+        self.assertRegex(text, r"<code>contacts\[0\].friction</code></td><td>0.2</td><td>0.3</td>")
+        self.assertRegex(text, "tip_last</td><td>mm</td>.*?>2<.*?>2.1<.*?[+]5 %")
+        self.assertEqual(text.count("alt='history of tip'"), 1)
+        self.assertIn("<a href='#B-source-touch'>", text)
+
+    def test_runs_with_nothing_in_common_are_shown(self):
+        text = self.page(self.run_of("one"), self.run_of("other", "mode [1],frequency [Hz]\n1,5\n2,7\n", finished=False))
+        self.assertIn("history of frequency", text)
+        self.assertIn("has no frequency", text)
+        self.assertIn("has no pull, tip", text)
+
+    def test_differences(self):
+        for ours, theirs, expected in ((1.0, 1.0, "0"), (1.0, 1.02, "+2 %"), (2.0, 1.0, "<b>−50 %</b>"), (0.0, 1.0, "from 0"),
+                                       (1.0, None, "–"), (1e-15, -1e-15, "0"), (float("nan"), 1.0, "–")):
+            self.assertEqual(report_results.difference(ours, theirs, 1e-9), expected)
+
+    def test_numbers_have_units_with_prefixes(self):
+        for value, unit, expected in ((358780.04, "N", "358.78 kN"), (5.41e-5, "s", "54.1 µs"), (9e-4, "m^2", "0.0009 m²"),
+                                      (2.1e11, "Pa", "210 GPa"), (0.0, "m", "0 m"), (-3e-7, "1", "−3·10^−7")):
+            self.assertEqual(report_text.plain_quantity(value, unit), expected)
+        self.assertEqual(report_text.engineering("2.1e+11 Pa"), "210 GPa")
+        self.assertEqual(report_text.engineering("7850 kg/m^3"), "7850 kg/m^3")
+
+    def test_energies_add_up(self):
+        run, = report_run.read([self.run_of()])
+        groups, outside = report_energy.over_time(run)
+        self.assertEqual({name: list(values) for name, values in groups.items()}, {"kinetic": [100, 60, 90], "elastic": [0, 40, 10]})
+        self.assertFalse(outside.any())
+        created, limit = report_energy.created_over_time(run)
+        self.assertEqual((list(created), limit), (["bar"], 5.0))
+
+    def test_times_have_units(self):
+        time_of = script("report").time_of
+        for text, expected in (("2e-4", 2e-4), ("0.2ms", 2e-4), ("20 us", 2e-5), ("0", 0.0), ("1s", 1.0)):
+            self.assertAlmostEqual(time_of(text), expected)
+
+    @unittest.skipIf(importlib.util.find_spec("vtk") is None, "no VTK")
+    def test_frames_of_both_kinds_are_read_alike(self):
+        for deformed in (False, True):
+            data = frames.load(write_frame(self.root / "frame.vtu", deformed))
+            start, now = frames.positions(data)
+            self.assertEqual(start[7].tolist(), [1.0, 1.0, 1.0] if not deformed else [1.0, 1.0, 0.5])
+            self.assertEqual((now - start)[7].tolist(), [0.0, 0.0, 0.5])
+            numbers, names = frames.bodies(data)
+            self.assertEqual((numbers.tolist(), names), ([0], {0: "bar"} if deformed else {}))
+            self.assertEqual([frames.unit_of(data, name) for name in ("displacement", "stress")], ["m", ""])
+
+    @unittest.skipIf(importlib.util.find_spec("vtk") is None or not (os.environ.get("DISPLAY") or shutil.which("xvfb-run")), "no screen")
+    def test_frames_are_drawn(self):
+        folder = self.run_of()
+        write_frame(folder / "0.vtu", True)
+        (folder / "body.pvd").write_text('<VTKFile><Collection><DataSet timestep="0" file="0.vtu"/></Collection></VTKFile>')
+
+        def made(*words):
+            command = [sys.executable, ROOT / "scripts" / "report", folder, *words]
+            done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+            return done.returncode, done.stderr
+
+        self.assertEqual(made(), (0, ""))
+        text = (folder / "report.html").read_text()
+        self.assertEqual(text.count("data:image/png"), 3)  # two of the set-up, and the only frame
+        self.assertIn("magnitude of the displacement", text)
+        self.assertEqual(made("--field", "nosuch"), (2, "report: no field is called 'nosuch'; there are: displacement\n"))
+
+
+def write_frame(path, deformed):
+    """One hexahedron whose upper nodes have moved by half a metre along z."""
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1), (1, 1, 1)]
+
+    def array(name, kind, values, components=1):
+        return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">'
+                + " ".join(map(str, values)) + "</DataArray>")
+
+    def whole(name, values, more=""):
+        return (f'<DataArray type="Int32" Name="{name}" NumberOfTuples="{len(values)}" {more}format="ascii">'
+                + " ".join(map(str, values)) + "</DataArray>")
+
+    moved = [x for corner in corners for x in (0, 0, 0.5 * corner[2])]
+    field = (whole("points_are_deformed", [1]) + whole("displacement [m]", [1]) + whole("bar", [0, 3]) if deformed else
+             whole("units", [1], 'NumberOfComponents="1" ComponentName0="displacement [m]" '))
+    path.write_text(f'<VTKFile type="UnstructuredGrid" version="1.0"><UnstructuredGrid><FieldData>{field}</FieldData>'
+                    '<Piece NumberOfPoints="8" NumberOfCells="1">'
+                    f'<PointData>{array("displacement", "Float64", moved, 3)}</PointData>'
+                    f'<CellData>{array("body" if deformed else "part_id", "Int32", [0])}</CellData>'
+                    f'<Points>{array("p", "Float64", [x for corner in corners for x in corner], 3)}</Points>'
+                    f'<Cells>{array("connectivity", "Int32", [0, 1, 2, 3, 4, 5, 7, 6])}{array("offsets", "Int32", [8])}'
+                    f'{array("types", "UInt8", [12])}</Cells></Piece></UnstructuredGrid></VTKFile>')
+    return path
+
+
+if __name__ == "__main__":
+    unittest.main()
