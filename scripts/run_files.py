@@ -12,7 +12,7 @@ class Unreadable(Exception):
 
 def head(entry, path):
     """(name, unit, whether it is a mean since the row before) of an entry of the first line of a history."""
-    found = re.fullmatch(r"\s*(\w+)\s*\[([^\]]*)\]( mean)?\s*", entry)
+    found = re.fullmatch(r"\s*([\w.]+)\s*\[([^\]]*)\]( mean)?\s*", entry)
     if not found:
         raise Unreadable(f"{path}:1: '{entry}' is no column header; expected is 'name [unit]' or 'name [unit] mean'")
     return found.group(1), found.group(2), found.group(3) is not None

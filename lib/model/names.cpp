@@ -65,6 +65,8 @@ void check_names_given(const Scene& scene, Faults& faults) {
   taken.clear();
   for (const Probe& probe : scene.probes) {
     look(part("probe", probe), probe.name);
+    if (probe.name == "t" || probe.name == "pi")
+      refuse_name(faults, part("probe", probe), probe.name, " has a meaning in formulas: choose another");
     if (is_column_of_every_history(probe.name))
       refuse_name(faults, part("probe", probe), probe.name, " is a column of every history: choose another");
   }
