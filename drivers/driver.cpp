@@ -346,7 +346,7 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
   std::vector<std::string> notes = model::gap_table(simulation);
   for (const std::string& note : model::width_notes(simulation)) notes.push_back(note);
   for (const std::string& note : file.refine_notes()) notes.push_back(note);
-  notes.insert(notes.end(), simulation.gauges.begin(), simulation.gauges.end());
+  notes.insert(notes.end(), simulation.remarks.begin(), simulation.remarks.end());
   std::vector<std::string> told;  // warnings
   const auto warn = [&](const std::string& note) {
     notes.push_back(note), told.push_back(note);
@@ -412,9 +412,11 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     return dynamics::good(outcome.ending) ? said(simulation) : std::vector<std::string>();
   };
   for (const auto& warnings : {model::rounding_notes(simulation), model::depth_notes(simulation), model::overlap_notes(simulation),
-                               model::quality_notes(simulation), of_right_run(model::mesh_warnings), model::energy_notes(simulation)})
+                               model::quality_notes(simulation), of_right_run(model::mesh_warnings), model::energy_notes(simulation),
+                               model::formula_notes(simulation)})
     for (const std::string& note : warnings) warn(note);
   std::vector<std::string> of_mesh = of_right_run(model::mesh_notes);
+  for (const std::string& note : model::curve_notes(simulation)) of_mesh.push_back(note);
   for (std::string& note : of_mesh) note = "note: " + note;  // by which summary.json tells them from others
   notes.insert(notes.end(), of_mesh.begin(), of_mesh.end());
   if (!line.quiet) print(of_mesh);

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view head = "Nereid checkpoint ";  // then the version, and the end of the line
-constexpr int version = 18;
+constexpr int version = 19;
 
 fs::path file_in(const fs::path& folder) { return folder / output::checkpoint_name; }
 

@@ -77,8 +77,8 @@ Dual<n> power_of(const Dual<n>& a, double exponent) {
 
 /// A function at dual numbers; its slopes count as constant.
 template <class F, int n>
-TangentOf<Dual<n>> at_each_lane(const F& function, const Dual<n>& a, const Dual<n>& b) {
-  const Tangent at = function(a.value, b.value);
+Tangent<Dual<n>> at_each_lane(const F& function, const Dual<n>& a, const Dual<n>& b) {
+  const Tangent<double> at = function(a.value, b.value);
   Dual<n> value(at.value);
   for (int i = 0; i < n; ++i) value.by[i] = at.by_first * a.by[i] + at.by_second * b.by[i];
   return {value, Dual<n>(at.by_first), Dual<n>(at.by_second)};

@@ -72,27 +72,22 @@ NEREID_HOT Pack power_of(const Pack& a, double n) {
 }
 
 /// A function of two numbers at a point, with its slopes.
-struct Tangent {
-  double value, by_first, by_second;
-};
-/// The same over a number type.
 template <class T>
-struct TangentOf {
+struct Tangent {
   T value, by_first, by_second;
 };
 /// A function of two numbers that is no formula of packs, as a measured curve: lane by lane.
 ///
-/// function  Tangent(double, double)
+/// function  Tangent<double>(double, double)
 template <class F>
-NEREID_HOT TangentOf<double> at_each_lane(const F& function, double a, double b) {
-  const Tangent at = function(a, b);
-  return {at.value, at.by_first, at.by_second};
+NEREID_HOT Tangent<double> at_each_lane(const F& function, double a, double b) {
+  return function(a, b);
 }
 template <class F>
-NEREID_HOT TangentOf<Pack> at_each_lane(const F& function, const Pack& a, const Pack& b) {
-  TangentOf<Pack> all{Pack(0.0), Pack(0.0), Pack(0.0)};
+NEREID_HOT Tangent<Pack> at_each_lane(const F& function, const Pack& a, const Pack& b) {
+  Tangent<Pack> all{Pack(0.0), Pack(0.0), Pack(0.0)};
   for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
-    const Tangent at = function(static_cast<double>(a[lane]), static_cast<double>(b[lane]));
+    const Tangent<double> at = function(static_cast<double>(a[lane]), static_cast<double>(b[lane]));
     all.value[lane] = at.value, all.by_first[lane] = at.by_first, all.by_second[lane] = at.by_second;
   }
   return all;

@@ -287,9 +287,9 @@ void visit(Archive& archive, Kept& kept) {
 template <class Archive>
 void visit(Archive& archive, ProbeMemory& memory) {
   auto& [last, now, largest, smallest, time_of_largest, time_of_smallest, largest_row, smallest_row, integral, first_above_zero,
-         last_above_zero, samples, of_steps, of_rows] = memory;
+         last_above_zero, samples, not_finite, of_steps, of_rows] = memory;
   archive(last, now, largest, smallest, time_of_largest, time_of_smallest, largest_row, smallest_row, integral, first_above_zero,
-          last_above_zero, samples, of_steps, of_rows);
+          last_above_zero, samples, not_finite, of_steps, of_rows);
 }
 
 template <class Archive>

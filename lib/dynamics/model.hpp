@@ -119,6 +119,7 @@ struct ProbeMemory {
   double integral = 0;                                     ///< over time: each value times the step that led to it
   double first_above_zero = -1, last_above_zero = -1;      ///< [s]; -1: at no step
   std::int64_t samples = 0;                                ///< steps, and the start
+  std::int64_t not_finite = 0;                             ///< of these, of a formula: where its value was no finite number
   Kept of_steps, of_rows;                                  ///< for means over a step, and since the row before
 };
 

@@ -1,5 +1,7 @@
 #include "dynamics/probe.hpp"
 
+#include <cmath>
+
 namespace nereid::dynamics {
 
 namespace {
@@ -19,7 +21,9 @@ void sample(const Probe& probe, const View& view, const std::vector<ProbeMemory>
   memory.now = now;
   if (!probe.is_mean) memory.last = now;
   ++memory.samples;
-  if (now != now) return;
+  const bool is_lost = probe.formula && !std::isfinite(now);
+  memory.not_finite += is_lost ? 1 : 0;
+  if (now != now || is_lost) return;
   if (!(now <= memory.largest)) memory.largest = now, memory.time_of_largest = t;
   if (!(now >= memory.smallest)) memory.smallest = now, memory.time_of_smallest = t;
   memory.integral += now * view.now.dt;

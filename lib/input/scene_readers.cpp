@@ -19,8 +19,6 @@ namespace {
 /// Names given so far, of one kind of things or of several that must differ.
 using Names = std::vector<std::string>;
 
-bool has(const Names& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
-
 constexpr const char* sources = "bodies, contacts, planes, loads, springs and sections";
 
 /// Refuses a name that is none, or taken.
@@ -28,7 +26,7 @@ void check_name(const Section& section, const std::string& name, const Names& ta
   if (name.empty()) return;  // that has been said
   if (!model::is_name(name))
     section.fault("name", model::is_no_name(name));
-  else if (has(taken, name))
+  else if (model::has(taken, name))
     section.fault("name", "'name' = " + name + " is given twice: names of " + whose + " differ");
 }
 

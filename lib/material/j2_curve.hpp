@@ -49,7 +49,7 @@ inline FlowStress<double> value_at(const MeasuredCurve& curve, double strain) {
 }
 
 /// Measured curves at a plastic strain and a rate.
-inline Tangent value_at(const std::vector<MeasuredCurve>& curves, double strain, double rate) {
+inline Tangent<double> value_at(const std::vector<MeasuredCurve>& curves, double strain, double rate) {
   const auto behind = std::upper_bound(curves.begin(), curves.end(), rate, [](double r, const MeasuredCurve& one) { return r < one.rate; });
   if (behind == curves.begin() || behind == curves.end()) {
     const FlowStress<double> at = value_at(behind == curves.begin() ? curves.front() : curves.back(), strain);
@@ -63,8 +63,8 @@ inline Tangent value_at(const std::vector<MeasuredCurve>& curves, double strain,
 }
 
 /// The flow stress at a plastic strain and a rate, with its slopes. [Pa] [Pa] [Pa s]
-inline Tangent value_at(const HardeningCurve& f, double strain, double rate) {
-  Tangent at{0, 0, 0};
+inline Tangent<double> value_at(const HardeningCurve& f, double strain, double rate) {
+  Tangent<double> at{0, 0, 0};
   if (f.kind == HardeningCurve::Kind::measured) {
     at = value_at(f.curves, strain, rate);
   } else if (f.kind == HardeningCurve::Kind::voce) {
@@ -88,7 +88,7 @@ template <class T>
 NEREID_HOT FlowStress<T> flow_stress(const J2Curve& law, const T& flow, const T& /*work*/, const T& /*power*/, const T& dt,
                                      const T& /*volume*/, const std::array<T, 1>& scalar) {
   const auto curve = [&law](double strain, double rate) { return value_at(law.flow, strain, rate); };
-  const TangentOf<T> at = at_each_lane(curve, scalar[0] + flow, flow / dt);
+  const Tangent<T> at = at_each_lane(curve, scalar[0] + flow, flow / dt);
   return {at.value, at.by_first + at.by_second / dt};
 }
 

@@ -67,10 +67,14 @@ void check_probes(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
         break;
       case Of::source:
         if (probe.between[0].empty()) {
-          expect(faults, here, "of", probe.of, "contacts, planes, loads, springs and sections", sources);
+          if (has(names_of(scene.automatic_contacts), probe.of))
+            refuse(faults, here, "of", "'of' = " + probe.of + " is an automatic contact: 'between: [BODY, BODY]' says which two bodies");
+          else expect(faults, here, "of", probe.of, "contacts, planes, loads, springs and sections", sources);
           break;
         }
-        expect(faults, here, "of", probe.of, "automatic contacts", names_of(scene.automatic_contacts));
+        if (has(sources, probe.of))
+          refuse(faults, here, "between", "'between' is for automatic contacts: leave it out for " + probe.of);
+        else expect(faults, here, "of", probe.of, "automatic contacts", names_of(scene.automatic_contacts));
         for (std::size_t i = 0; i < 2; ++i)
           expect(faults, here, "between[" + std::to_string(i) + "]", probe.between[i], "bodies", names_of(scene.bodies));
         if (probe.between[0] == probe.between[1])
@@ -102,19 +106,25 @@ void check_parts(const Scene& scene, const mesh::Mesh& mesh, Faults& faults) {
       if (has_elements(body, set.name)) known.push_back(set.name);
     for (const std::string& region : names_of(mesh.hexahedra, mesh.triangles))
       if (region.rfind(body.name + ".", 0) == 0) known.push_back(region.substr(body.name.size() + 1));
-    for (std::size_t p = 0; p < body.parts.size(); ++p)
-      expect(faults, {body.parts[p].at, "material of a part of body '" + body.name + "'"}, "of", body.parts[p].of,
-             "regions and sets with elements of " + body.name, known);
+    const std::vector<std::string> sets = names_of(mesh.node_sets);
+    for (std::size_t p = 0; p < body.parts.size(); ++p) {
+      const PartMaterial& part = body.parts[p];
+      const Part here{part.at, "material of a part of body '" + body.name + "'"};
+      if (!has(known, part.of) && has(sets, body.name + "." + part.of))
+        refuse(faults, here, "of", "'of' = " + part.of + " is a node set and has no elements: name a region, or a set of zones in 'sets'");
+      else expect(faults, here, "of", part.of, "regions and sets with elements of " + body.name, known);
+      for (std::size_t q = 0; q < p; ++q)
+        if (body.parts[q].of == part.of) refuse(faults, here, "of", "'of' = " + part.of + " is given twice");
+    }
     const auto any_in = [&](const std::string& set, const auto& regions) {
       return std::any_of(regions.begin(), regions.end(), [&](const auto& region) {
         if (!belongs(region.name, body)) return false;
-        const std::vector<char> inside = elements_in(body, set, mesh.X, region.nodes);
+        const std::vector<char> inside = elements_in(body, set, mesh, region.nodes);
         return region.name == body.name + "." + set || std::find(inside.begin(), inside.end(), 1) != inside.end();
       });
     };
-    const auto is_known = [&known](const std::string& name) { return std::find(known.begin(), known.end(), name) != known.end(); };
     for (const PartMaterial& part : body.parts)
-      if (is_known(part.of) && !any_in(part.of, mesh.hexahedra) && !any_in(part.of, mesh.triangles))
+      if (has(known, part.of) && !any_in(part.of, mesh.hexahedra) && !any_in(part.of, mesh.triangles))
         refuse(faults, {part.at, "material of a part of body '" + body.name + "'"}, "of",
                "'of' = " + part.of + " has no elements: no middle of one lies in it");
   }
@@ -183,11 +193,12 @@ struct OneMaterial {
 };
 
 /// The elements of a region by their materials: those of parts have the name of their part, the others that of the region.
-std::vector<OneMaterial> by_material(const Body& body, const std::string& region, const Vectors& X, const element::Connectivity& nodes) {
+std::vector<OneMaterial> by_material(const Body& body, const std::string& region, const mesh::Mesh& mesh,
+                                     const element::Connectivity& nodes) {
   std::vector<const PartMaterial*> part_of(static_cast<std::size_t>(nodes.cols()), nullptr);
   for (const PartMaterial& part : body.parts) {
     if (body.name + "." + part.of == region) std::fill(part_of.begin(), part_of.end(), &part);
-    const std::vector<char> inside = elements_in(body, part.of, X, nodes);
+    const std::vector<char> inside = elements_in(body, part.of, mesh, nodes);
     for (std::size_t e = 0; e < inside.size(); ++e)
       if (inside[e] != 0) part_of[e] = &part;
   }
@@ -207,16 +218,15 @@ std::vector<OneMaterial> by_material(const Body& body, const std::string& region
 
 /// The elements of all bodies; a mesh from a file may have several regions, and parts of a body may have materials of their own.
 void add_elements(const Scene& scene, dynamics::Model& model) {
-  const Vectors& X = model.mesh.X;
   for (const Body& body : scene.bodies) {
     const element::AnyHexahedronOptions options = options_of(body, scene.gravity, model.mesh);
     for (const mesh::Hexahedra& region : model.mesh.hexahedra)
       if (belongs(region.name, body))
-        for (const OneMaterial& one : by_material(body, region.name, X, region.nodes))
+        for (const OneMaterial& one : by_material(body, region.name, model.mesh, region.nodes))
           model.blocks.push_back(element::solids(model.mesh, one.name, one.nodes, *one.law, options));
     for (const mesh::Triangles& region : model.mesh.triangles)
       if (belongs(region.name, body))
-        for (const OneMaterial& one : by_material(body, region.name, X, region.nodes))
+        for (const OneMaterial& one : by_material(body, region.name, model.mesh, region.nodes))
           model.blocks.push_back(element::plates(model.mesh, one.name, one.nodes, *one.law, body.plate));
   }
 }
@@ -414,6 +424,26 @@ void check_memory(const Scene& scene) {
                                needed / 1e9, left / 1e9));
 }
 
+/// Says which materials of bodies with parts no element has: later parts, or all of them together, cover the earlier ones.
+void add_remarks(const Scene& scene, const dynamics::Model& model, std::vector<std::string>& remarks) {
+  for (const Body& body : scene.bodies) {
+    if (body.parts.empty()) continue;
+    const auto is_used = [&](const std::string& part) {
+      return std::any_of(model.blocks.begin(), model.blocks.end(), [&](const element::AnyBlock& block) {
+        const std::string& name = element::name(block);
+        if (!belongs(name, body)) return false;
+        const std::string last = name.substr(name.rfind('.') + 1);
+        const bool is_of_part = std::any_of(body.parts.begin(), body.parts.end(), [&](const PartMaterial& one) { return one.of == last; });
+        return part.empty() ? !is_of_part : last == part;
+      });
+    };
+    if (!is_used("")) remarks.push_back(body.name + ": no element has its 'material': its 'materials' have all elements");
+    for (const PartMaterial& part : body.parts)
+      if (!is_used(part.of))
+        remarks.push_back(body.name + ": no element has the material of '" + part.of + "': later parts have its elements");
+  }
+}
+
 }  // namespace
 
 Simulation build(const Scene& scene) {
@@ -464,7 +494,8 @@ Simulation build(const Scene& scene) {
   for (contact::AnyContact& any : model.contacts)
     if (contact::tied_by_multipliers(any)) contact::tie_here(simulation.state.x, std::get<contact::Interface>(any));
   simulation.forces = dynamics::make_forces(model);
-  simulation.probes = make_probes(scene, model, simulation.state, faults, simulation.gauges);
+  simulation.probes = make_probes(scene, model, simulation.state, faults, simulation.remarks);
+  add_remarks(scene, model, simulation.remarks);
   throw_if_any(faults);
 
   simulation.time = scene.time;

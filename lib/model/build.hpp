@@ -35,7 +35,7 @@ struct Simulation {
   std::vector<StageOfRun> stages;        ///< empty: the run has none; the one that runs is the last of Progress::stages
   std::vector<load::AnyLoad> all_loads;  ///< as the scene has them; the model has those of the stage that runs
   MeshWarnings mesh_warnings;
-  std::vector<std::string> gauges;       ///< of each probe at a place: which element it measures, a line each
+  std::vector<std::string> remarks;      ///< a line each: which element a probe at a place measures, materials that no element has
 };
 
 /// Builds meshes, elements, planes, loads and contacts, and the state at the start.

@@ -1,10 +1,19 @@
 #pragma once
 // Names of the parts of a scene: what is one, which are taken, and which columns of the history follow from them.
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "model/fault.hpp"
 #include "model/scene.hpp"
 
 namespace nereid::model {
+
+/// Whether a name is among others.
+inline bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// Letters, digits and '_', no digit first. Points are kept for what belongs to a body, as in `bar.x_low`.
 bool is_name(const std::string&);

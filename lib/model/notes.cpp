@@ -449,6 +449,41 @@ std::vector<std::string> mesh_warnings(const Simulation& simulation) {
   return notes;
 }
 
+std::vector<std::string> curve_notes(const Simulation& simulation) {
+  std::vector<std::string> notes;
+  for (std::size_t b = 0; b < simulation.model.blocks.size(); ++b) {
+    const element::AnyBlock& any = simulation.model.blocks[b];
+    double last = std::numeric_limits<double>::infinity();  // of the shortest of its curves
+    std::visit(
+        [&last]<class Kind, class Law>(const element::Block<Kind, Law>& block) {
+          if constexpr (std::is_same_v<Law, material::J2Curve>)
+            for (const material::MeasuredCurve& curve : block.law.flow.curves) last = std::min(last, curve.strain.back());
+        },
+        any);
+    if (!std::isfinite(last) || dynamics::is_rigid_block(simulation.model, b)) continue;
+    double most = 0;
+    const auto look = [&](element::Place place) {
+      most = std::max(most, dynamics::of_body(view(simulation), {b}, {"plastic_strain", place}, 0, dynamics::Take::largest));
+    };
+    if (element::rotates(any)) look(element::Place::top), look(element::Place::bottom);
+    else look(element::Place::none);
+    if (most > last)
+      notes.push_back(formatted("%s: the plastic strain reached %.3g, and the hardening curve ends at %.3g: beyond its last point the flow "
+                                "stress is constant", element::name(any).c_str(), most, last));
+  }
+  return notes;
+}
+
+std::vector<std::string> formula_notes(const Simulation& simulation) {
+  std::vector<std::string> notes;
+  for (std::size_t p = 0; p < simulation.probes.size() && p < simulation.state.probes.size(); ++p)
+    if (const dynamics::ProbeMemory& memory = simulation.state.probes[p]; memory.not_finite > 0)
+      notes.push_back(formatted("probe '%s': the formula was no finite number in %lld of %lld steps, as by a division by zero; these are "
+                                "not in its extremes", simulation.probes[p].name.c_str(), static_cast<long long>(memory.not_finite),
+                                static_cast<long long>(memory.samples)));
+  return notes;
+}
+
 std::vector<std::string> mesh_notes(const Simulation& simulation) {
   std::vector<std::string> notes;
   const dynamics::Model& model = simulation.model;

@@ -45,6 +45,12 @@ std::vector<std::string> mesh_warnings(const Simulation&);
 /// of the force of a few nodes, the largest plastic strain, restitution where bodies flow. What warnings say more of is left out.
 std::vector<std::string> mesh_notes(const Simulation&);
 
+/// Each block whose plastic strain went beyond the last point of its measured hardening curve, from where on the stress is constant.
+std::vector<std::string> curve_notes(const Simulation&);
+
+/// Each formula of probes that was no finite number in some steps.
+std::vector<std::string> formula_notes(const Simulation&);
+
 /// Each source, and time integration, that created or lost more than a fifth of the created_limit, of the energy of the scene or of what it
 /// transferred, and more than 1e-4 of the energy of the scene, one a line. Beyond the limit the run stops. Each contact and rigid plane by
 /// multipliers that holds more than this of what it transferred, between bodies that do not touch at the end.

@@ -153,7 +153,7 @@ std::optional<std::vector<ElementsOfBlock>> elements_of_set(const std::string& n
     if (!has_elements(body, set)) return std::nullopt;
     std::vector<ElementsOfBlock> all;
     for (const std::size_t b : blocks) {
-      const std::vector<char> inside = elements_in(body, set, model.mesh.X, element::nodes(model.blocks[b]));
+      const std::vector<char> inside = elements_in(body, set, model.mesh, element::nodes(model.blocks[b]));
       all.emplace_back();
       for (std::size_t e = 0; e < inside.size(); ++e)
         if (inside[e] != 0) all.back().push_back(static_cast<Index>(e));
@@ -180,15 +180,18 @@ std::vector<ElementsOfBlock> nearest_of(const Vec3& near, const dynamics::Model&
   return elements;
 }
 
-/// The size of the part of the mesh that some elements are. [m]
-double size_of(const dynamics::Model& model, const std::vector<std::size_t>& blocks, const Vec3& near, double& beside) {
+/// How large some elements are together, and how far a place lies beside them. [m]
+struct Extent {
+  double size = 0, beside = 0;
+};
+Extent extent_of(const dynamics::Model& model, const std::vector<std::size_t>& blocks, const std::vector<ElementsOfBlock>& elements,
+                 const Vec3& near) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const std::size_t b : blocks)
-    for (const Index node : element::nodes(model.blocks[b]).reshaped()) {
-      low = low.cwiseMin(model.mesh.X.col(node)), high = high.cwiseMax(model.mesh.X.col(node));
-    }
-  beside = (near - near.cwiseMax(low).cwiseMin(high)).norm();
-  return (high - low).norm();
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    for (const Index e : elements[i])
+      for (const Index node : element::nodes(model.blocks[blocks[i]]).col(e))
+        low = low.cwiseMin(model.mesh.X.col(node)), high = high.cwiseMax(model.mesh.X.col(node));
+  return {(high - low).norm(), (near - near.cwiseMax(low).cwiseMin(high)).norm()};
 }
 
 /// The elements that a probe measures.
@@ -211,8 +214,7 @@ MeasuredElements elements_of(const Probe& probe, const Scene& scene, const dynam
         for (std::size_t e = 0; e < chosen->back().size(); ++e) chosen->back()[e] = static_cast<Index>(e);
       }
     }
-    double beside = 0;
-    const double size = size_of(model, measured.blocks, *probe.near, beside);
+    const auto [size, beside] = extent_of(model, measured.blocks, *chosen, *probe.near);
     if (beside > 1e-3 * size)
       refuse(faults, part("probe", probe), "near", formatted("'near' lies %.4g m beside '%s'", beside, probe.of.c_str()));
     chosen = nearest_of(*probe.near, model, measured.blocks, std::move(*chosen), size);
@@ -481,7 +483,7 @@ dynamics::Probe make_formula(const Probe& probe, const Scene& scene, const std::
 }  // namespace
 
 std::vector<dynamics::Probe> make_probes(const Scene& scene, const dynamics::Model& model, const dynamics::State& at_start,
-                                         Faults& faults, std::vector<std::string>& gauges) {
+                                         Faults& faults, std::vector<std::string>& remarks) {
   std::vector<dynamics::Probe> made;
   for (const Probe& probe : scene.probes) {
     if (probe.formula.value) {
@@ -489,7 +491,7 @@ std::vector<dynamics::Probe> make_probes(const Scene& scene, const dynamics::Mod
       continue;
     }
     const Measurable* quantity = find_measurable(probe.quantity);
-    if (probe.near && faults.empty()) gauges.push_back(gauge_line(probe, scene, model, faults));
+    if (probe.near && faults.empty()) remarks.push_back(gauge_line(probe, scene, model, faults));
     made.push_back({.name = probe.name,
                     .unit = quantity->unit,
                     .value = measure(probe, *quantity, scene, model, at_start, faults),

@@ -42,8 +42,8 @@ bool is_tensor(const Measurable&);
 /// Faults: quantities and components that there are not, variables that a body's material does not have, the normal of
 /// what is no plane, places beside the body, elements that there are not. After a fault the probe measures nothing.
 ///
-/// gauges  of each probe at a place, which element it measures: a line is added
+/// remarks  of each probe at a place, which element it measures: a line is added
 std::vector<dynamics::Probe> make_probes(const Scene&, const dynamics::Model&, const dynamics::State& at_start, Faults&,
-                                         std::vector<std::string>& gauges);
+                                         std::vector<std::string>& remarks);
 
 }  // namespace nereid::model

@@ -70,6 +70,12 @@ void add_surfaces(const std::string& name, const Table<3>& skin, const std::vect
   add(name + "_top", top), add(name + "_bottom", mesh::reversed(top));
 }
 
+/// How far beyond the boundary of a zone a place of the body still lies in it. [m]
+double tolerance_of(const Body& body, const mesh::Mesh& mesh) {
+  const Vectors X = mesh.X(Eigen::all, mesh::node_set(mesh, body.name));
+  return on_boundary * (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
+}
+
 /// What a set names that is there before it; faults for what is not.
 void check_members(const Body& body, const Set& set, const mesh::Mesh& mesh, Faults& faults) {
   const Part here = part("set", set);
@@ -81,8 +87,12 @@ void check_members(const Body& body, const Set& set, const mesh::Mesh& mesh, Fau
   for (const mesh::NodeSet& one : mesh.node_sets)
     if (one.name.size() > body.name.size()) known.push_back(one.name.substr(body.name.size() + 1));
   const auto look = [&](const char* key, const std::vector<std::string>& names) {
-    for (std::size_t i = 0; i < names.size(); ++i)
-      expect(faults, here, std::string(key) + "[" + std::to_string(i) + "]", names[i], "sets of " + body.name + " so far", known);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string at = std::string(key) + "[" + std::to_string(i) + "]";
+      if (names[i].rfind(body.name + ".", 0) == 0)
+        refuse(faults, here, at, quote(names[i]) + " has the name of the body: expected " + quote(names[i].substr(body.name.size() + 1)));
+      else expect(faults, here, at, names[i], "node sets of " + body.name + " and sets above this one", known);
+    }
   };
   look("any_of", set.any_of), look("all_of", set.all_of), look("without", set.without);
   if (!set.zone && set.any_of.empty() && set.all_of.empty())
@@ -128,10 +138,10 @@ bool has_elements(const Body& body, const Set* set) {
 
 bool has_elements(const Body& body, const std::string& name) { return has_elements(body, find_set(body, name)); }
 
-std::vector<char> elements_in(const Body& body, const std::string& name, const Vectors& X, const element::Connectivity& nodes) {
+std::vector<char> elements_in(const Body& body, const std::string& name, const mesh::Mesh& mesh, const element::Connectivity& nodes) {
   if (!has_elements(body, name)) return {};
-  const Vectors middle = middles(X, nodes);
-  const double tolerance = on_boundary * (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
+  const Vectors middle = middles(mesh.X, nodes);
+  const double tolerance = tolerance_of(body, mesh);
   const auto in_zone = [&](const Zone& zone) {
     std::vector<char> inside(static_cast<std::size_t>(middle.cols()));
     for (Eigen::Index e = 0; e < middle.cols(); ++e) inside[static_cast<std::size_t>(e)] = holds(zone, middle.col(e), tolerance) ? 1 : 0;
@@ -143,9 +153,9 @@ std::vector<char> elements_in(const Body& body, const std::string& name, const V
 
 void add_sets(const Body& body, mesh::Mesh& mesh, Faults& faults) {
   if (body.sets.empty()) return;
-  const std::size_t before = faults.size();
-  const double tolerance = on_boundary * diagonal(mesh);
+  const double tolerance = tolerance_of(body, mesh);
   Table<3> skin = mesh.triangles.empty() ? mesh::surface(mesh, body.name + ".skin").facets : mesh::skin(mesh.X, mesh.hexahedra).facets;
+  std::vector<std::string> wrong;  // sets at fault: what names them is not judged
   const auto in_zone = [&](const Zone& zone) {
     std::vector<char> inside(static_cast<std::size_t>(mesh.X.cols()));
     for (Eigen::Index n = 0; n < mesh.X.cols(); ++n) inside[static_cast<std::size_t>(n)] = holds(zone, mesh.X.col(n), tolerance) ? 1 : 0;
@@ -156,18 +166,26 @@ void add_sets(const Body& body, mesh::Mesh& mesh, Faults& faults) {
     for (const Index node : mesh::node_set(mesh, body.name + "." + name)) inside[static_cast<std::size_t>(node)] = 1;
     return inside;
   };
+  const auto names_wrong = [&wrong](const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return std::find(wrong.begin(), wrong.end(), name) != wrong.end(); });
+  };
   for (const Set& set : body.sets) {
     const Part here = part("set", set);
+    const std::size_t before = faults.size();
     const std::string name = body.name + "." + set.name;
     const auto is_it = [&name](const auto& one) { return one.name == name; };
     if (std::any_of(mesh.node_sets.begin(), mesh.node_sets.end(), is_it) || std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), is_it))
       refuse(faults, here, "name", "'name' = " + set.name + " is that of a node set or surface of the mesh already");
     check_members(body, set, mesh, faults);
-    if (faults.size() > before) continue;
+    if (faults.size() > before || names_wrong(set.any_of) || names_wrong(set.all_of) || names_wrong(set.without)) {
+      wrong.push_back(set.name);
+      continue;
+    }
     const std::vector<char> in_set = members(body, set, in_zone, of_name);
     const Subset nodes = nodes_of(in_set);
     const auto has_some = [&](const auto& region) {
-      const std::vector<char> inside = elements_in(body, set.name, mesh.X, region.nodes);
+      const std::vector<char> inside = elements_in(body, set.name, mesh, region.nodes);
       return std::find(inside.begin(), inside.end(), 1) != inside.end();
     };
     if (nodes.empty() && std::none_of(mesh.hexahedra.begin(), mesh.hexahedra.end(), has_some) &&

@@ -18,10 +18,10 @@ void add_sets(const Body&, mesh::Mesh&, Faults&);
 /// Which elements of a region a set of the body has: those whose middle lies in its zone.
 ///
 /// set      its name, without that of the body
-/// X        [m] where the body stands
+/// mesh     where the body stands, alone or with others
 /// nodes    [corners x elements] of the region
 /// returns  [elements] 0 or 1; empty if the set has no elements, as a node set of the mesh
-std::vector<char> elements_in(const Body&, const std::string& set, const Vectors& X, const element::Connectivity& nodes);
+std::vector<char> elements_in(const Body&, const std::string& set, const mesh::Mesh&, const element::Connectivity& nodes);
 
 /// Whether a set of that name of the body has elements.
 bool has_elements(const Body&, const std::string& set);

@@ -15,8 +15,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool has(const Names& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
-
 Part part_of(const Stage& stage) { return part("stage", stage); }
 
 /// Why something is on in all stages; empty if it can be off.

@@ -82,7 +82,7 @@ TEST(HardeningCurve, HasTheSlopesOfItsFiniteDifferences) {
   for (const J2Curve& law : all_kinds())
     for (const double p : {1e-3, 0.03, 0.2, 0.45})
       for (const double rate : {1e-2, 3.0, 500.0}) {
-        const Tangent at = value_at(law.flow, p, rate);
+        const Tangent<double> at = value_at(law.flow, p, rate);
         const double h = 1e-6 * p, k = 1e-6 * rate, size = at.value;
         EXPECT_NEAR(at.by_first, (formula(law.flow, p + h, rate) - formula(law.flow, p - h, rate)) / (2 * h), 1e-7 * size / p);
         EXPECT_NEAR(at.by_second, (formula(law.flow, p, rate + k) - formula(law.flow, p, rate - k)) / (2 * k), 1e-7 * size / rate);

@@ -60,6 +60,32 @@ TEST(JohnsonCook, StressAfterFlowIsTheFlowStressOfItsStrainRateAndHeatForIncreme
   EXPECT_GT(flowed, 3000);
 }
 
+TEST(JohnsonCook, InAPlateStressAfterFlowIsTheFlowStressForIncrementsOfAnySize) {
+  int flowed = 0;
+  for (int history = 0; history < 500; ++history) {
+    Plane<double> stress{};
+    auto internal = fresh<double, Plane>(steel);
+    for (int i = 0; i < 20; ++i) {
+      const double before = internal.scalar[0], dt = std::pow(10.0, draw(-9, 4));
+      Plane<double> strain{};
+      const double size = std::pow(10.0, draw(-6, -0.5));
+      for (double* c : components(strain)) *c = draw(-size, size);
+      const Work<double> work = strain_by(steel, strain, stress, internal, dt);
+      ASSERT_GE(work.dissipated, 0.0);
+      const double flow = internal.scalar[0] - before;
+      if (internal.scalar[1] > 0.99 * steel.flow.melting_temperature) break;  // melted
+      const double expected = of_the_paper(steel.flow, internal.scalar[0], flow / dt, internal.scalar[1]);
+      if (flow > 0) {
+        ++flowed;
+        ASSERT_NEAR(von_mises(stress) / expected, 1.0, 1e-9 + 1e-15 * internal.scalar[0] / flow);
+      } else {
+        ASSERT_LE(von_mises(stress), expected * (1 + 1e-12));
+      }
+    }
+  }
+  EXPECT_GT(flowed, 3000);
+}
+
 TEST(JohnsonCook, HeatIsTheShareOfWhatIsDissipatedPerMass) {
   Symmetric<double> stress{};
   auto internal = fresh<double, Symmetric>(steel);

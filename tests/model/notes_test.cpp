@@ -477,5 +477,24 @@ TEST(EnergyLine, BalancesWhatWasThereWithWhereItIs) {
 
 TEST(CountElements, SumsOverAllBlocks) { EXPECT_EQ(count_elements(build(with({bar(), sheet()})).model), 6); }
 
+TEST(CurveNotes, TellOfAPlasticStrainBeyondTheLastPointOfAMeasuredCurve) {
+  const auto notes_of = [](double last) {
+    Scene scene = with({bar()});
+    material::J2Curve law{8000, 200e9, 0.25, {}};
+    law.flow.kind = material::HardeningCurve::Kind::measured;
+    law.flow.curves = {{0, {0, last}, {1e8, 1.1e8}}};
+    scene.bodies[0].law = law;
+    scene.initial = {{.body = "bar", .displacement = true,
+                      .value = {[](double x, double, double, double) { return 0.05 * x; }, constant(0), constant(0)}}};
+    scene.time.end = 1e-7;
+    Simulation simulation = build(scene);
+    run(simulation);
+    return curve_notes(simulation);
+  };
+  ASSERT_EQ(notes_of(0.01).size(), 1U);
+  EXPECT_TRUE(says(notes_of(0.01)[0], "and the hardening curve ends at 0.01")) << notes_of(0.01)[0];
+  EXPECT_TRUE(notes_of(0.1).empty());
+}
+
 }  // namespace
 }  // namespace nereid::model::notes_test

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "dynamics/measure.hpp"
+#include "model/notes.hpp"
 #include "tests/model/scenes.hpp"
 
 namespace nereid::model::probes_test {
@@ -859,6 +860,40 @@ TEST(PairForce, OfAStackIsTheWeightThatIsAboveWhateverTheOrder) {
   EXPECT_EQ(last(simulation, "back"), -last(simulation, "top"));
   EXPECT_EQ(last(simulation, "far"), 0);
   EXPECT_EQ(last(simulation, "ratio"), last(simulation, "under") / last(simulation, "top"));
+}
+
+TEST(Formula, ThatIsNotFiniteIsToldAndLeftOutOfTheExtremes) {
+  Scene scene = strained(1e-6, 0);
+  const auto inverse = [](const std::vector<double>&, double t) { return 1 / t; };
+  scene.probes = {{.name = "f", .formula = {.inputs = {}, .value = inverse, .unit = "1/s"}}};
+  Simulation simulation = build(scene);
+  run(simulation);
+  EXPECT_EQ(probe(simulation, "f").not_finite, 1) << "at the start";
+  EXPECT_TRUE(std::isfinite(probe(simulation, "f").largest));
+  const std::vector<std::string> notes = formula_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "probe 'f': the formula was no finite number in 1 of 2 steps")) << notes[0];
+}
+
+TEST(Gauge, OfASetMustLieInItsElements) {
+  Scene scene = strained(0, 0);
+  scene.bodies[0].sets = {
+      {.name = "right", .zone = Zone{.kind = Zone::Kind::half_space, .from = Vec3(0.5, 0, 0), .normal = Vec3::UnitX()}}};
+  scene.probes = {{.name = "g", .quantity = "strain", .of = "cube.right", .component = "xx", .near = Vec3(0.1, 0.5, 0.5)}};
+  EXPECT_TRUE(says(refusal(scene), "'near' lies 0.4 m beside 'cube.right'")) << refusal(scene);
+}
+
+TEST(PairForce, SaysWhatIsMissingOrTooMuch) {
+  Scene scene;
+  scene.bodies = {bar(), wall()};
+  scene.automatic_contacts = {{.name = "all"}};
+  scene.probes = {{.name = "f", .quantity = "force", .of = "all", .component = "x"}};
+  scene.time.end = 1e-5;
+  EXPECT_TRUE(says(refusal(scene), "'of' = all is an automatic contact: 'between: [BODY, BODY]'")) << refusal(scene);
+  scene.automatic_contacts.clear();
+  scene.contacts = {{.name = "touch", .apexes = "bar.x_high", .base = "wall.x_low"}};
+  scene.probes = {{.name = "f", .quantity = "force", .of = "touch", .component = "x", .between = {"bar", "wall"}}};
+  EXPECT_TRUE(says(refusal(scene), "leave it out for touch")) << refusal(scene);
 }
 
 TEST(Formula, IsRefusedIfItTakesAProbeBelowIt) {

@@ -82,8 +82,29 @@ TEST(Sets, AreRefusedWithoutNodesAndElementsAndWithNamesThatAreTakenOrNameNothin
   EXPECT_TRUE(says(far, "'far' has neither nodes nor elements: 'bar' reaches from (0, 0, 0) m to (1, 0.2, 0.2) m")) << far;
   EXPECT_TRUE(says(refusal(bar({{.name = "x_low", .zone = box(Vec3::Zero(), Vec3::Ones())}})), "is that of a node set"));
   EXPECT_TRUE(says(refusal(bar({{.name = "a", .any_of = {"x_lov"}}})), "did you mean 'x_low'?"));
-  EXPECT_TRUE(says(refusal(bar({{.name = "a", .any_of = {"b"}}, {.name = "b", .any_of = {"x_low"}}})), "sets of bar so far"));
+  EXPECT_TRUE(says(refusal(bar({{.name = "a", .any_of = {"b"}}, {.name = "b", .any_of = {"x_low"}}})), "sets above this one"));
   EXPECT_TRUE(says(refusal(bar({{.name = "a"}})), "a set needs one of"));
+}
+
+TEST(Sets, AreJudgedOneByOneAndBodiesBesideThemChangeNothing) {
+  Scene scene = bar({{.name = "far", .zone = box(Vec3(2, 0, 0), Vec3(3, 1, 1))},
+                     {.name = "farther", .zone = box(Vec3(4, 0, 0), Vec3(5, 1, 1))},
+                     {.name = "of_far", .any_of = {"far"}}});
+  const std::string said = refusal(scene);
+  EXPECT_TRUE(says(said, "'far' has neither")) << said;
+  EXPECT_TRUE(says(said, "'farther' has neither")) << said;
+  // a middle 1e-4 beside a zone is outside of it, however far another body lies
+  scene = bar({{.name = "end", .zone = box(Vec3(0.9501, 0, 0), Vec3(1, 1, 1))},
+               {.name = "most", .zone = box(Vec3(0.8499, 0, 0), Vec3(1, 1, 1))}});
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[1].name = "other", scene.bodies[1].place.move = Vec3(1000, 0, 0), scene.bodies[1].sets.clear();
+  const Simulation simulation = build(scene);
+  const auto count = [&](const char* set) {
+    const auto inside = elements_in(scene.bodies[0], set, simulation.model.mesh, element::nodes(simulation.model.blocks[0]));
+    return std::count(inside.begin(), inside.end(), 1);
+  };
+  EXPECT_EQ(count("end"), 0);
+  EXPECT_EQ(count("most"), 8);
 }
 
 TEST(Elements, OfASetAreThoseWhoseMiddleLiesInItAndANodeSetHasNone) {
@@ -93,7 +114,7 @@ TEST(Elements, OfASetAreThoseWhoseMiddleLiesInItAndANodeSetHasNone) {
   const Simulation simulation = build(scene);
   const Body& body = scene.bodies[0];
   const auto count = [&](const char* set) {
-    const auto inside = elements_in(body, set, simulation.model.mesh.X, element::nodes(simulation.model.blocks[0]));
+    const auto inside = elements_in(body, set, simulation.model.mesh, element::nodes(simulation.model.blocks[0]));
     return std::count(inside.begin(), inside.end(), 1);
   };
   EXPECT_EQ(count("end"), 8) << "the middles at 0.85 lie on its boundary";
@@ -120,6 +141,21 @@ TEST(Parts, OfARigidBodyHaveTheirDensity) {
   const Simulation simulation = build(scene);
   EXPECT_NEAR(simulation.model.rigid_bodies[0].mass.mass, 80, 1e-12);
   EXPECT_NEAR(simulation.model.rigid_bodies[0].mass.centre.x(), (20 * 0.25 + 60 * 0.75) / 80, 1e-12);
+}
+
+TEST(Parts, ThatCoverTheBodyAreRemarked) {
+  Scene scene = bar({{.name = "all", .zone = box(Vec3::Zero(), Vec3::Ones())},
+                     {.name = "end", .zone = box(Vec3(0.5, 0, 0), Vec3(1, 1, 1))}});
+  scene.bodies[0].parts = {{.of = "end", .law = material::Elastic{3000, 2e9, 0.25}},
+                           {.of = "all", .law = material::Elastic{2000, 2e9, 0.25}}};
+  const std::vector<std::string> remarks = build(scene).remarks;
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_TRUE(says(remarks[0], "no element has its 'material'")) << remarks[0];
+  EXPECT_TRUE(says(remarks[1], "no element has the material of 'end'")) << remarks[1];
+  scene.bodies[0].parts[1].of = "end";
+  EXPECT_TRUE(says(refusal(scene), "'of' = end is given twice")) << refusal(scene);
+  scene.bodies[0].parts = {{.of = "x_low", .law = material::Elastic{3000, 2e9, 0.25}}};
+  EXPECT_TRUE(says(refusal(scene), "is a node set and has no elements")) << refusal(scene);
 }
 
 TEST(Parts, AreRefusedWhereTheyNameNothingOrAreFluids) {
