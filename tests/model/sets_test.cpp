@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "element/block.hpp"
 #include "model/build.hpp"
@@ -63,6 +64,13 @@ TEST(Sets, MoveWithTheBody) {
   Scene scene = bar({{.name = "end", .zone = box(Vec3(5.85, 0, 0), Vec3(6, 1, 1))}});
   scene.bodies[0].place.move = Vec3(5, 0, 0);
   EXPECT_EQ(mesh::node_set(build(scene).model.mesh, "bar.end").size(), 18U);
+  scene.bodies[0].place.axis = Vec3::UnitZ(), scene.bodies[0].place.angle = 0.5 * pi;  // along y, then moved
+  scene.bodies[0].sets[0].zone = box(Vec3(4.8, 0.85, 0), Vec3(5, 1, 1));
+  EXPECT_EQ(mesh::node_set(build(scene).model.mesh, "bar.end").size(), 18U);
+  scene.bodies[0].map = {[](double x, double, double, double) { return 2 * x; }, [](double, double y, double, double) { return y; },
+                         [](double, double, double z, double) { return z; }};
+  scene.bodies[0].sets[0].zone = box(Vec3(4.8, 1.7, 0), Vec3(5, 2, 1));
+  EXPECT_EQ(mesh::node_set(build(scene).model.mesh, "bar.end").size(), 18U) << "after the map";
 }
 
 TEST(Sets, OfPlatesHaveBothSides) {
@@ -84,6 +92,17 @@ TEST(Sets, AreRefusedWithoutNodesAndElementsAndWithNamesThatAreTakenOrNameNothin
   EXPECT_TRUE(says(refusal(bar({{.name = "a", .any_of = {"x_lov"}}})), "did you mean 'x_low'?"));
   EXPECT_TRUE(says(refusal(bar({{.name = "a", .any_of = {"b"}}, {.name = "b", .any_of = {"x_low"}}})), "sets above this one"));
   EXPECT_TRUE(says(refusal(bar({{.name = "a"}})), "a set needs one of"));
+}
+
+TEST(Sets, HoldPlacesThatAreAMillionthOfTheBodyBesideAZone) {
+  const double size = std::sqrt(1 + 2 * 0.2 * 0.2);
+  const auto nodes = [size](double beside) {  // of the end at x = 1
+    const Scene scene =
+        bar({{.name = "end", .zone = box(Vec3(1 + beside * size, 0, 0), Vec3(2, 1, 1))}, {.name = "x", .any_of = {"x_low"}}});
+    return refusal(scene).empty() ? mesh::node_set(build(scene).model.mesh, "bar.end").size() : 0U;
+  };
+  EXPECT_EQ(nodes(0.9e-6), 9U);
+  EXPECT_EQ(nodes(1.5e-6), 0U);
 }
 
 TEST(Sets, AreJudgedOneByOneAndBodiesBesideThemChangeNothing) {
@@ -120,6 +139,11 @@ TEST(Elements, OfASetAreThoseWhoseMiddleLiesInItAndANodeSetHasNone) {
   EXPECT_EQ(count("end"), 8) << "the middles at 0.85 lie on its boundary";
   EXPECT_EQ(count("rest"), 32);
   EXPECT_FALSE(has_elements(body, "none"));
+  const Scene mixed = bar({{.name = "end", .zone = box(Vec3(0.85, 0, 0), Vec3(1, 1, 1))},
+                           {.name = "inside", .zone = box(Vec3::Zero(), Vec3::Ones()), .without = {"skin"}},
+                           {.name = "both", .any_of = {"end", "x_low"}}});
+  EXPECT_FALSE(has_elements(mixed.bodies[0], "inside"));
+  EXPECT_FALSE(has_elements(mixed.bodies[0], "both"));
 }
 
 TEST(Parts, HaveTheirMaterialAndTheBodyKeepsTheRest) {
