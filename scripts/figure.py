@@ -89,7 +89,7 @@ def save(figure, path, png=True):
 
 
 def write_svg(figure, stream):
-    """Writes the figure to an open text, without a date, and forgets it."""
+    """Writes the figure to an open text, without a date, and closes it."""
     figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
     plt.close(figure)
 

@@ -65,7 +65,7 @@ def energy_figure(x, groups, total, supplied, across, up, marks=()):
     """Energies by group {name: values}, their sum, and what was there at the start with what came from outside."""
     figure, axes = new_figure(DOUBLE_COLUMN, 78)
     axes.plot(x, supplied, color="#9a9a9a", linewidth=2.6, solid_capstyle="butt", label="start and outside", zorder=1)
-    axes.plot(x, total, color="black", linewidth=0.8, label="sum of all below", zorder=2)
+    axes.plot(x, total, color="black", linewidth=0.8, label="sum of all groups", zorder=2)
     for number, (name, values) in enumerate(groups.items()):
         draw_curve(axes, x, values, number + 1, name)
     for at in marks:

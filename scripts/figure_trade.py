@@ -9,7 +9,7 @@ NEAR = 0.4      # [-] ratio of costs, as a logarithm, of points that get one nam
 
 
 def trade_figure(costs, columns):
-    """Every good point: grey those that another one beats, hollow those that finer meshes do not bear out; those of the front are joined
+    """Every good point: grey those that another one beats, hollow those that finer meshes do not confirm; those of the front are joined
     and have the numbers of the table.
 
     costs    names of the costs, one for each row
@@ -47,7 +47,7 @@ def draw_panel(axes, panel):
 
 
 def draw_uncertainty(axes, uncertainty):
-    """The band [%] below which the reference judges nothing."""
+    """The band [%] of errors that are smaller than the uncertainty of the reference."""
     axes.axhspan(BAND * uncertainty, uncertainty, facecolor="#f0f0f0", edgecolor="#c8c8c8", hatch="////", linewidth=0,
                  label="below the reference's uncertainty", zorder=0)
     axes.set_ylim(bottom=BAND * uncertainty)
@@ -55,10 +55,10 @@ def draw_uncertainty(axes, uncertainty):
 
 def series_figure(result, uncertainty, lines):
     """The error that counts of one result over processor time, a line for each series; hollow and not joined are the finest meshes, which
-    no two finer ones bear out.
+    no two finer ones confirm.
 
     uncertainty  [%] of the reference
-    lines        {line: (points that finer meshes bear out, the others)}, points as (processor time [s], error [%], name of the mesh)
+    lines        {line: (points that finer meshes confirm, the others)}, points as (processor time [s], error [%], name of the mesh)
     """
     drawn, axes = figure.new_figure(width=figure.DOUBLE_COLUMN, height=90.0)
     named = []

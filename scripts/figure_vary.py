@@ -1,4 +1,4 @@
-"""Who makes the spread of a result (scripts/trade --vary): share of the variance, and change from the low end to the high one."""
+"""Shares of inputs in the spread of a result (scripts/trade --vary): part of the variance, and change from the low end to the high one."""
 import figure
 
 

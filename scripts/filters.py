@@ -15,9 +15,10 @@ import math
 import numpy as np
 
 CLASSES = (60, 180, 600, 1000)
-LEAST_RATE = 10.0    # [-] samples in a period of the class frequency that the standard asks for
-CONTINUED = 10e-3    # [s] at least, by which a record is continued beyond its ends
-SETTLED = 1.0        # [-] time over that of a period of the class frequency, in which a transient of the filter falls below 1e-3
+LEAST_RATE = 10.0    # [-] smallest number of samples in a period of the class frequency, by the standard
+CONTINUED = 10e-3    # [s] or twice the time of SETTLED, whichever is longer: by so much a record is continued, if it is long enough
+SETTLED = 1.0        # [-] of a period of the class frequency: farther from a blow, the filtered record is below 1e-3 of its largest value
+ROUND_OFF = 1e-9     # [-] of times as histories have them, with 10 digits and more
 
 
 class NoRecord(Exception):
@@ -65,18 +66,20 @@ def filtered(values, cfc, spacing):
 
 
 def even_times(times, cfc):
-    """(times of an even grid, how far a row is from its place in it over the spacing) of rows [s] that are dense enough for a class.
+    """(times of an even grid, how far a row but the last is off it over the spacing) of rows [s] that are dense enough for a class.
 
     The grid begins with the first row, has the mean spacing of all rows but the last, which the end of a run may set, and ends at or
     before that one.
     """
     apart = np.diff(times)
-    if len(times) < 3 or not np.all(apart > 0):
-        raise NoRecord(f"{len(times)} rows whose times ascend are no record: expected are 3 or more")
     if not np.all(np.isfinite(times)):
-        raise NoRecord("a time is no finite number")
+        raise NoRecord(f"the time of row {int(np.argmin(np.isfinite(times))) + 1} is no finite number")
+    if len(times) < 3:
+        raise NoRecord(f"{len(times)} rows are no record: expected are 3 or more")
+    if not np.all(apart > 0):
+        raise NoRecord(f"the time of row {int(np.argmin(apart > 0)) + 2} is not above that of the row before: expected are times that rise")
     largest, needed = apart.max(), 1 / (LEAST_RATE * cfc)
-    if largest > needed * (1 + 1e-9):
+    if largest > needed * (1 + ROUND_OFF):
         at = times[int(apart.argmax())]
         raise NoRecord(f"rows are up to {largest:.4g} s apart (behind {at:.4g} s), which is too far for CFC {cfc}: expected are at most "
                        f"{needed:.4g} s ({LEAST_RATE:g} rows in a period of {cfc} Hz); 'output.history_every' of the case sets it")
@@ -84,6 +87,6 @@ def even_times(times, cfc):
         raise NoRecord(f"the rows reach over {times[-1] - times[0]:.4g} s, less than a period of {cfc} Hz: every value behind the filter "
                        "would depend on the ends")
     spacing = float(np.mean(apart[:-1]))
-    grid = times[0] + spacing * np.arange(int((times[-1] - times[0]) / spacing * (1 + 1e-12)) + 1)
+    grid = times[0] + spacing * np.arange(int((times[-1] - times[0]) / spacing * (1 + ROUND_OFF)) + 1)
     off = np.abs(times - times[0] - spacing * np.round((times - times[0]) / spacing))
-    return grid, float(off.max() / spacing)
+    return grid, float(off[:-1].max() / spacing)

@@ -4,24 +4,33 @@ from pathlib import Path
 
 import numpy as np
 
+from runs import DEFORMED
+
 ROUND_OFF = 1e-12  # [-] of a size: what points at the start are off by
-DEFORMED = "points_are_deformed"  # array of a whole file that says so
 
 
 class CannotRead(Exception):
     """There is nothing to draw from; says why."""
 
 
-def frames_of(folder, name):
-    """(time [s], file) of each frame of a data set."""
+def listed(folder, name):
+    """[(time [s], file)] of the frames of a data set; none if it is not there."""
     index = Path(folder) / f"{name}.pvd"
     try:
-        sets = xml.parse(index).getroot().iter("DataSet")
-        found = [(float(one.get("timestep")), Path(folder) / one.get("file")) for one in sets]
+        return [(float(one.get("timestep")), Path(folder) / one.get("file")) for one in xml.parse(index).getroot().iter("DataSet")]
+    except FileNotFoundError:
+        return []
     except OSError as error:
         raise CannotRead(f"{index}: {error.strerror}") from error
+    except (xml.ParseError, TypeError, ValueError) as error:
+        raise CannotRead(f"{index} is no collection of ParaView") from error
+
+
+def frames_of(folder, name):
+    """(time [s], file) of each frame of a data set, of which there must be one."""
+    found, index = listed(folder, name), Path(folder) / f"{name}.pvd"
     if not found:
-        raise CannotRead(f"{index}: no frames; was the driver built without VTK?")
+        raise CannotRead(f"{index}: no frames; was the driver built without VTK?" if index.exists() else f"{index} is not there")
     return found
 
 
@@ -77,6 +86,15 @@ def bodies(data):
     names = {int(one.GetValue(0)): one.GetName() for one in arrays if one is not None and one.GetNumberOfValues() == 2
              and one.GetNumberOfComponents() == 1 and one.GetDataTypeAsString() == "int"}
     return array(data, "body").astype(int), names
+
+
+def name_of(number, names):
+    """The name of a body; that of a body of a frame without names is its number.
+
+    >>> name_of(1, {0: "bar"}), name_of(0, {0: "bar"})
+    ('1', 'bar')
+    """
+    return names.get(int(number), str(int(number)))
 
 
 def read(file):

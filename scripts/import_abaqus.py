@@ -185,6 +185,9 @@ def instance(deck, block, parts, instances):
     if any(None in row for row in rows) or [len(row) for row in rows] not in ([], [3], [3, 7]):
         deck.fault(block.at, "*INSTANCE has lines that are no shift of 3 numbers and no turn of 7")
         rows = []
+    elif len(rows) == 2 and rows[1][:3] == rows[1][3:6]:
+        deck.fault(block.data[1][0], "the two points of the axis of *INSTANCE coincide; expected are two places")
+        rows = []
     made.place = mover(rows)
     if name.upper() in instances:
         deck.fault(block.at, f"the instance '{name}' is given twice")
@@ -203,7 +206,7 @@ def mover(rows):
         return (lambda p: tuple(a + b for a, b in zip(p, shift))) if any(shift) else (lambda p: p)
     start, end, angle = rows[1][:3], rows[1][3:6], math.radians(rows[1][6])
     axis = [b - a for a, b in zip(start, end)]
-    length = math.hypot(*axis) or 1.0
+    length = math.hypot(*axis)
     u = [a / length for a in axis]
 
     def moved(p):
@@ -258,15 +261,16 @@ def add_element(deck, scope, row, how, at):
     word, count, label, elset, known = how
     if not known:
         deck.others.append(import_deck.Other(row[0], word or "*ELEMENT without TYPE", at))
-        scope.others.add(int(row[0]) if row[0].isdigit() else row[0])
-        if elset and row[0].isdigit():
+        scope.others.add(int(row[0]) if row[0].isdecimal() else row[0])
+        if elset and row[0].isdecimal():
             elset.members.append(Member(int(row[0]), "", at))
         return
     numbers = [import_deck.whole(deck, text, at, "the number of an element or a node") for text in row]
     if None in numbers:
         return
     if len(numbers) != count + 1:
-        deck.fault(at, f"element {numbers[0]} has {len(numbers) - 1} nodes; expected are {count} of {word}")
+        nodes = import_deck.counted(len(numbers) - 1, ("node", "nodes"))
+        deck.fault(at, f"element {numbers[0]} has {nodes}; expected are {count} of {word}")
         return
     if numbers[0] in scope.elements:
         deck.fault(at, f"element {numbers[0]} is given twice, before at {scope.elements[numbers[0]].at}")
@@ -297,7 +301,7 @@ def add_set(deck, block, scope):
                 continue
             one.members.append(Member((numbers[0], numbers[1], numbers[2] if len(numbers) == 3 else 1), inside, at))
         else:
-            one.members += [Member(int(word) if word.isdigit() else word, inside, at) for word in row if word]
+            one.members += [Member(int(word) if word.isdecimal() else word, inside, at) for word in row if word]
 
 
 def add_surface(deck, block, scope):
@@ -315,7 +319,7 @@ def add_surface(deck, block, scope):
         row = words(text)
         word, face = row[0], row[1].upper() if len(row) > 1 else ""
         face = "surface" if "COMBINE" in given else "nodes" if kind == "NODE" else face
-        one.members.append(Member(int(word) if word.isdigit() else word, given.get("INSTANCE", "").upper(), at, face))
+        one.members.append(Member(int(word) if word.isdecimal() else word, given.get("INSTANCE", "").upper(), at, face))
 
 
 # ------------------------------------------------------------------------------------------------
@@ -378,7 +382,7 @@ class Finder:
         if not isinstance(member.of, str):
             return self.numbers(scope, member, table, what)
         before, _, behind = member.of.upper().rpartition(".")
-        if before in self.scopes and behind.isdigit():
+        if before in self.scopes and behind.isdecimal():
             return self.numbers(scope, member._replace(of=int(behind), instance=before), table, what)
         hit = self.seek(scope, kind, member)
         return self.expand(hit[0], kind, hit[1], table, what) if hit else []
@@ -465,7 +469,7 @@ def gather(deck, scopes):
             label = scope.elsets[part[1]].label if part[1] in scope.elsets else raw.elset or "elements"
             deck.parts.setdefault(part, import_deck.Part(label))
             deck.elements.append(import_deck.Element(number, corners_of(scope, raw), part, raw.word, raw.at))
-    name_parts(deck)
+    name_parts(deck, scopes)
     add_groups(deck, scopes, finder)
 
 
@@ -479,12 +483,12 @@ def full_name(scope, label, doubles):
     return f"{scope.name}_{label}" if scope.name and label.upper() in doubles else label
 
 
-def name_parts(deck):
+def name_parts(deck, scopes):
     used = list(dict.fromkeys(element.part for element in deck.elements))
     doubles = twice([deck.parts[part].name for part in used])
     for part in used:
         name, remark = deck.parts[part]
-        deck.parts[part] = import_deck.Part(f"{part[0]}_{name}" if part[0] and name.upper() in doubles else name, remark)
+        deck.parts[part] = import_deck.Part(full_name(scopes[part[0]], name, doubles), remark)
 
 
 def add_groups(deck, scopes, finder):
@@ -513,4 +517,5 @@ def add_groups(deck, scopes, finder):
             if nodes:
                 deck.add_group(f"{name}_nodes" if faces else name, "node set", nodes, one.at)
     if hidden:
-        deck.notes.append(f"{hidden} internal element sets of surfaces are no sets of nodes here")
+        words = ("internal element set of a surface is", "internal element sets of surfaces are")
+        deck.notes.append(f"{import_deck.counted(hidden, words)} not written as sets of nodes")

@@ -1,13 +1,16 @@
 """A mesh of another code as cells, regions and sets that the program reads, with the sentences that say what became of it."""
 import dataclasses
 import itertools
+import math
 import re
 
 import import_deck
 import mesh_files
+from import_deck import counted
 
 MOST_NAMED = 8          # elements or nodes in a sentence
-NEAR = 8                # digits of coordinates, over the largest, by which nodes are at one place
+NEAR = 1e-8             # [-] of the largest coordinate: nodes that are no farther apart along x, y and z are at one place
+BIN = 1e-5              # [-] of the largest coordinate: size of the bins in which nodes at one place are sought
 NO_NUMBER = -1.0        # in place of the number of an element: cells of boundaries have none
 SUFFIXES = {"node set": "_nodes", "element set": "_elements", "surface": "_surface", "region": ""}
 KIND_WORDS = {8: ("hexahedron", "hexahedra"), 6: ("wedge", "wedges"), 5: ("pyramid", "pyramids"), 4: ("tetrahedron", "tetrahedra")}
@@ -22,16 +25,14 @@ class Result:
 
 
 def listed(things):
-    """
-    >>> listed([1, 2]), listed(range(20))
-    ('1, 2', '0, 1, 2, 3, 4, 5, 6, 7, ...')
+    """Numbers, or nodes of instances as (instance, number).
+
+    >>> listed([1, ("I-1", 2)]), listed(range(20))
+    ('1, I-1.2', '0, 1, 2, 3, 4, 5, 6, 7, ...')
     """
     first = list(itertools.islice(things, MOST_NAMED + 1))
-    return ", ".join(str(one) for one in first[:MOST_NAMED]) + (", ..." if len(first) > MOST_NAMED else "")
-
-
-def counted(count, words):
-    return f"{count} {words[count != 1]}"
+    words = [f"{one[0]}.{one[1]}" if isinstance(one, tuple) else str(one) for one in first[:MOST_NAMED]]
+    return ", ".join(words) + (", ..." if len(first) > MOST_NAMED else "")
 
 
 def valid(name):
@@ -89,13 +90,15 @@ def check_groups(deck):
 
 
 def choose_parts(deck, only):
-    """Keeps only the parts of these names; a name that is not there is a fault."""
+    """Keeps only the parts of these names, and lists the others as left out; a name that is not there is a fault."""
     names = {deck.parts[element.part].name for element in deck.elements}
     for name in only:
         if name not in names | {valid(one) for one in names}:
             deck.fault(f"--only {name}", f"there is no such part; there are: {', '.join(sorted(names))}")
     if only:
         chosen = {key for key, part in deck.parts.items() if part.name in only or valid(part.name) in only}
+        for part, found in by_part(element for element in deck.elements if element.part not in chosen).items():
+            deck.leave_out(f"the part '{deck.parts[part].name}' ({kinds(found)})", found[0].at)
         deck.elements = [element for element in deck.elements if element.part in chosen]
 
 
@@ -103,7 +106,7 @@ def choose_parts(deck, only):
 # Names
 
 class Names:
-    """Names of regions, surfaces and node sets of one body, each once; what is renamed is told."""
+    """Names of regions, surfaces and node sets of one body, each once; every new name is a sentence of `said`."""
 
     def __init__(self, said, has_solids, has_plates):
         self.said = said
@@ -169,13 +172,25 @@ class Faces:
         return key in self.count or len(key) == 3 and key in self.of_triple
 
 
+def first_at_place(points):
+    """{node: the first node at its place} of nodes {node: position}."""
+    size = max(abs(x) for position in points.values() for x in position) or 1.0
+    bins, found = {}, {}
+    for node, position in points.items():
+        scaled = [x / size for x in position]
+        around = [{math.floor((x - NEAR) / BIN), math.floor((x + NEAR) / BIN)} for x in scaled]  # two where the edge of a bin is near
+        there = (one for key in itertools.product(*around) for one in bins.get(key, ()))
+        found[node] = next((one for one, other in there if all(abs(a - b) <= NEAR for a, b in zip(scaled, other))), node)
+        if found[node] == node:
+            bins.setdefault(tuple(math.floor(x / BIN) for x in scaled), []).append((node, scaled))
+    return found
+
+
 def plates_on_faces(deck, solids, plates):
     """The plates that lie on faces of solids, with the nodes of the solids or with nodes of their own at the same places."""
     if not solids or not plates:
         return []
-    size = max(abs(x) for position in deck.points.values() for x in position) or 1.0
-    first = {}
-    place = {node: first.setdefault(tuple(round(x / size, NEAR) for x in position), node) for node, position in deck.points.items()}
+    place = first_at_place(deck.points)
     at_places = [tuple(place[node] for node in element.corners) for element in plates]
     faces = Faces([solid._replace(corners=tuple(place[node] for node in solid.corners)) for solid in solids],
                   {node for corners in at_places for node in corners})
@@ -210,8 +225,8 @@ def without_boundaries(deck, faces, plates, said):
     for part, found in by_part(element for element in plates if faces.has(element.corners)).items():
         name = deck.parts[part].name
         if part in parts:
-            said.append(f"of '{name}', {len(found)} triangles and quadrilaterals lie on faces of solids: they are the surface "
-                        f"'{name}_on_solids', the others are plates")
+            said.append(f"of '{name}', {kinds(found)} {'lies' if len(found) == 1 else 'lie'} on faces of solids: the surface "
+                        f"'{name}_on_solids'; the others are plates")
         deck.add_group(f"{name}_on_solids" if part in parts else name, "surface", [e.corners for e in found], found[0].at)
     return kept
 
@@ -298,7 +313,7 @@ def made(deck, in_part=False):
             add_surface(draft, group)
     for group in deck.groups:
         if group.kind != "surface":
-            add_set(draft, group.name, group.kind, group.of)
+            add_set(draft, group.name, group.kind, group.of, group.at)
     said["nodes"].append(f"{counted(len(order), ('node', 'nodes'))}, {kinds([*solids, *plates])}")
     lonely = [] if in_part else [node for node in deck.points if node not in used]
     if lonely:
@@ -331,11 +346,14 @@ def add_regions(draft, solids, plates):
 
 
 def add_surface(draft, group):
-    """Boundary cells where a surface has whole faces of solids alone; else the node set of its nodes, which is told."""
+    """Boundary cells where a surface has whole faces of solids alone; else the node set of its nodes, with a note."""
     on_solids, on_plates, stray = sorted_faces(draft.faces, draft.of_plates, group.of)
     notes, name = draft.said["notes"], group.name
     if draft.in_part:
-        stray = [ring for ring in stray if all(node in draft.index for node in ring)]
+        here = [ring for ring in stray if all(node in draft.index for node in ring)]
+        if len(here) < len(stray):
+            draft.deck.leave_out(f"{counted(len(stray) - len(here), ('face', 'faces'))} of the surface '{name}'", group.at)
+        stray = here
     if stray:
         notes.append(f"the surface '{name}' ({group.at}) has {counted(len(stray), ('face that is', 'faces that are'))} no whole face of an "
                      "element: its nodes are a node set")
@@ -352,17 +370,19 @@ def add_surface(draft, group):
         draft.add_cells(given, 2, rings, [NO_NUMBER] * len(rings))
         inner = sum(draft.faces.count[key] > 1 for key in on_solids)
         draft.said["surfaces"].append(f"{given}: {counted(len(rings), ('face', 'faces'))}"
-                                      + (f", of which {inner} lie inside: they count for its node set alone" if inner else ""))
+                                      + (f", {inner} of them inside the body, for its node set alone" if inner else ""))
     if nodes or not rings:
-        add_set(draft, f"{name}_plates" if rings else name, "node set" if rings else "surface", nodes)
+        add_set(draft, f"{name}_plates" if rings else name, "node set" if rings else "surface", nodes, group.at)
 
 
-def add_set(draft, name, kind, nodes):
+def add_set(draft, name, kind, nodes, at):
     """An array of 0 and 1 of the nodes that elements have."""
     nodes = dict.fromkeys(nodes)
     within = [node for node in nodes if node in draft.index]
     if not within:
-        if not draft.in_part:
+        if draft.in_part:
+            draft.deck.leave_out(f"the {kind} '{name}'", at)
+        else:
             draft.said["notes"].append(f"the {kind} '{name}' is left out: it has no node of an element")
         return
     given = draft.names.give(name, kind, within)
@@ -374,4 +394,4 @@ def add_set(draft, name, kind, nodes):
     draft.sets[given] = flags
     outside = len(nodes) - len(within)
     draft.said["node sets"].append(f"{given}: {counted(len(within), ('node', 'nodes'))}"
-                                   + (f"; {outside} more are of no element here" if outside else ""))
+                                   + (f"; {counted(outside, ('more is', 'more are'))} of no element here" if outside else ""))

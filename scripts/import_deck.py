@@ -94,6 +94,14 @@ class Deck:
         self.groups.append(Group(name, kind, list(dict.fromkeys(of)), at))
 
 
+def counted(count, words):
+    """
+    >>> counted(1, ("node", "nodes")), counted(2, ("node", "nodes"))
+    ('1 node', '2 nodes')
+    """
+    return f"{count} {words[count != 1]}"
+
+
 # ------------------------------------------------------------------------------------------------
 # Text
 
@@ -108,7 +116,7 @@ def read_lines(deck, path, at=None):
         deck.fault(at or path, f"{path} is no text; expected is the deck as text")
         return []
     name = Path(path).name
-    return [(Place(name, number), text) for number, text in enumerate(data.decode("utf-8", "replace").splitlines(), start=1)]
+    return [(Place(name, number), text) for number, text in enumerate(data.decode("utf-8-sig", "replace").splitlines(), start=1)]
 
 
 def included(deck, name, folders, at, depth):
@@ -132,6 +140,16 @@ def whole(deck, text, at, what):
         pass
     deck.fault(at, f"'{text.strip()}' is no whole number; expected is {what}")
     return None
+
+
+def wholes(deck, words, at, what):
+    """Whole numbers, nothing is 0; None where one is no number, which is a fault."""
+    try:
+        return [int(word) if word else 0 for word in words]
+    except ValueError:
+        pass
+    found = [whole(deck, word or "0", at, what) for word in words]
+    return None if None in found else found
 
 
 def real(deck, text, at, what):

@@ -7,9 +7,11 @@ import import_deck
 
 CHANGE_MESH = {"*NODE_TRANSFORM", "*NODE_MERGE_SET", "*NODE_MERGE_TOLERANCE", "*NODE_MERGE", "*NODE_SCALAR", "*NODE_RIGID_SURFACE",
                "*INCLUDE_TRANSFORM", "*INCLUDE_TRANSFORM_BINARY", "*INCLUDE_STAMPED_PART", "*INCLUDE_BINARY", "*ELEMENT_GENERATE_SHELL",
-               "*ELEMENT_GENERATE_SOLID", "*NODE_GENERATE"}
+               "*ELEMENT_GENERATE_SOLID", "*NODE_GENERATE", "*PART_MOVE", "*PART_DUPLICATE", "*PART_STACKED_ELEMENTS"}
 EXTRA_OF_SHELL = {"THICKNESS": "layer", "BETA": "layer", "MCID": "layer", "OFFSET": "offset", "DOF": "dof"}  # a line for each kind
 EXTRA_OF_PART = {"CONTACT": 1, "PRINT": 1, "INERTIA": 3}
+# Words behind *PART of keywords that give parts; with others, as in *PART_SENSOR, a keyword speaks of parts that are there.
+OPTIONS_OF_PART = {*EXTRA_OF_PART, "REPOSITION", "ATTACHMENT", "NODES", "AVERAGED", "FIELD", "COMPOSITE", "TSHELL", "LONG"}
 LONG = 20   # columns of a field of the long format
 
 
@@ -38,15 +40,16 @@ class Reader:
 
 def lines_of(deck, path, folders, at=None, depth=0):
     """[(place, text)] of a file, with the files that it includes in their places; ends at *END."""
-    mode = ""
-    name = ""
+    mode = name = ""
+    nameless = None  # the place of an *INCLUDE until its name comes
     for place, text in import_deck.read_lines(deck, path, at):
-        if text.startswith("$") or not text.strip() and not mode:
-            if not text.startswith("$"):
-                yield place, text
+        if text.startswith("$") or mode and not text.strip():
             continue
         if text.startswith("*"):
             word = text.split()[0].upper()
+            if nameless:
+                deck.fault(nameless, "includes a file without a name")
+            nameless = place if word == "*INCLUDE" else None
             if word == "*END":
                 return
             mode = word if word in ("*INCLUDE", "*INCLUDE_PATH", "*INCLUDE_PATH_RELATIVE") else ""
@@ -60,6 +63,7 @@ def lines_of(deck, path, folders, at=None, depth=0):
         if name.endswith(" +"):
             name = name[:-2]
             continue
+        nameless = None
         if mode == "*INCLUDE":
             file = import_deck.included(deck, name, folders, place, depth)
             if file:
@@ -67,6 +71,8 @@ def lines_of(deck, path, folders, at=None, depth=0):
         elif name:
             folders.append(Path(path).parent / name if mode.endswith("RELATIVE") else Path(name))
         name = ""
+    if nameless:
+        deck.fault(nameless, "includes a file without a name")
 
 
 def blocks(deck, path):
@@ -103,13 +109,7 @@ def cut(block, text, widths):
 
 
 def wholes(reader, words, at, what):
-    """Whole numbers, nothing is 0; None where one is no number, which is a fault."""
-    try:
-        return [int(word) if word else 0 for word in words]
-    except ValueError:
-        pass
-    found = [import_deck.whole(reader.deck, word or "0", at, f"{what}; see the widths of the fields") for word in words]
-    return None if None in found else found
+    return import_deck.wholes(reader.deck, words, at, f"{what}; see the widths of the fields")
 
 
 # ------------------------------------------------------------------------------------------------
@@ -140,9 +140,9 @@ def take_block(reader, block):
     elif re.match(r"\*ELEMENT_SHELL(_(THICKNESS|BETA|MCID|OFFSET|DOF))*$", keyword):
         add_shells(reader, block)
     elif keyword.startswith("*ELEMENT_"):
-        for at, text in block.cards:
+        for at, text in filled(block):
             deck.others.append(import_deck.Other(cut(block, text, [8])[0] or "?", keyword, at))
-    elif re.match(r"\*PART(_|$)", keyword):
+    elif keyword.split("_")[0] == "*PART" and OPTIONS_OF_PART.issuperset(keyword.split("_")[1:]):
         add_parts(reader, block)
     elif re.match(r"\*SET_(NODE|SHELL|SOLID|TSHELL|PART|SEGMENT)(_|$)", keyword):
         add_set(reader, block)
@@ -176,60 +176,79 @@ def filled(block):
     return [(at, text) for at, text in block.cards if text.strip()]
 
 
+def elements_of(reader, block, extra, two=False):
+    """[(place, fields)] of the elements of a block: `extra` lines behind each, which may be blank, are passed over.
+
+    two  number and part may stand on a line of their own, before the nodes
+    """
+    cards, found = list(block.cards), []
+    while cards:
+        at, text = cards.pop(0)
+        if not text.strip():
+            continue
+        words = cut(block, text, [8] * 10)
+        if two and not any(words[2:]):
+            if not cards or not cards[0][1].strip():
+                reader.deck.fault(at, f"element {words[0]} has no nodes; expected is a line with eight of them")
+                break
+            words = words[:2] + cut(block, cards.pop(0)[1], [8] * 10)
+        if len(cards) < extra:
+            reader.deck.fault(at, f"behind element {words[0]} of {block.keyword} stand {len(cards)} lines; expected are {extra}")
+            break
+        del cards[:extra]
+        found.append((at, words))
+    return found
+
+
+def head_of(reader, words, at):
+    """(number, part, [nodes]) of the fields of an element; None is a fault."""
+    numbers = wholes(reader, words, at, "the number of an element, part or node")
+    if numbers is None:
+        return None
+    if numbers[0] < 1:
+        reader.deck.fault(at, f"'{words[0]}' is no number of an element; see the widths of the fields")
+        return None
+    return numbers[0], numbers[1], numbers[2:]
+
+
+def few_nodes(reader, number, nodes, at, expected):
+    there = import_deck.counted(sum(node != 0 for node in nodes), ("node", "nodes"))
+    reader.deck.fault(at, f"element {number} has {there}; expected are {expected}")
+
+
 def add_solids(reader, block):
     """Cards of one line: number, part, eight nodes; or of two: number and part, then up to ten nodes."""
     kind = "tshell" if "TSHELL" in block.keyword else "solid"
     extra = 2 if "_ORTHO" in block.keyword else 1 if "_BETA" in block.keyword else 0
-    cards = filled(block)
-    while cards:
-        at, text = cards[0]
-        words = cut(block, text, [8] * 10)
-        two = not any(words[2:])
-        taken = cards[:1 + two + extra]
-        del cards[:1 + two + extra]
-        if two:
-            if len(taken) < 2:
-                reader.deck.fault(at, f"element {words[0]} has no nodes; expected is a line with eight of them")
-                return
-            words = words[:2] + cut(block, taken[1][1], [8] * 10)
-        numbers = wholes(reader, words[:12], at, "the number of an element, part or node")
-        if numbers is None:
+    for at, words in elements_of(reader, block, extra, two=True):
+        head = head_of(reader, words[:12], at)
+        if head is None:
             continue
-        number, part, nodes = numbers[0], numbers[1], numbers[2:10]
-        if number < 1:
-            reader.deck.fault(at, f"'{words[0]}' is no number of an element; see the widths of the fields")
-        elif any(numbers[10:12]):
+        number, part, nodes = head
+        if any(nodes[8:]):
             reader.deck.others.append(import_deck.Other(number, f"{block.keyword} of ten nodes", at))
-        elif 0 in nodes:
-            reader.deck.fault(at, f"element {number} has {sum(node != 0 for node in nodes)} nodes; expected are eight, some of them "
-                                  "more than once in wedges")
+        elif 0 in nodes[:8]:
+            few_nodes(reader, number, nodes[:8], at, "eight, some of them more than once in wedges")
         else:
-            add_element(reader, kind, import_deck.Element(number, import_deck.solid(tuple(nodes)), part, block.keyword, at))
+            add_element(reader, kind, import_deck.Element(number, import_deck.solid(tuple(nodes[:8])), part, block.keyword, at))
 
 
 def add_shells(reader, block):
     """Cards of one line: number, part, four nodes; lines of thickness, offset and degrees of freedom behind are passed over."""
     options = block.keyword.split("_")[2:]
-    extra = len({EXTRA_OF_SHELL[option] for option in options})
     if "THICKNESS" in options:
         reader.deck.leave_out(f"{block.keyword}: thickness", block.at)
-    cards = filled(block)
-    if len(cards) % (1 + extra):
-        reader.deck.fault(block.at, f"{block.keyword} has {len(cards)} lines; expected are {1 + extra} for each element")
-        return
-    for at, text in cards[::1 + extra]:
-        numbers = wholes(reader, cut(block, text, [8] * 10)[:10], at, "the number of an element, part or node")
-        if numbers is None:
+    for at, words in elements_of(reader, block, len({EXTRA_OF_SHELL[option] for option in options})):
+        head = head_of(reader, words[:10], at)
+        if head is None:
             continue
-        number, part, nodes = numbers[0], numbers[1], numbers[2:6]
-        if number < 1:
-            reader.deck.fault(at, f"{number} is no number of an element; see the widths of the fields")
-        elif any(numbers[6:10]):
+        number, part, nodes = head
+        if any(nodes[4:]):
             reader.deck.others.append(import_deck.Other(number, f"{block.keyword} of eight nodes", at))
         elif 0 in nodes[:3]:
-            reader.deck.fault(at, f"element {number} has {sum(node != 0 for node in nodes)} nodes; expected are three or four")
+            few_nodes(reader, number, nodes[:4], at, "three or four")
         else:
-            add_element(reader, "shell", import_deck.Element(number, import_deck.plate(nodes), part, block.keyword, at))
+            add_element(reader, "shell", import_deck.Element(number, import_deck.plate(nodes[:4]), part, block.keyword, at))
 
 
 def add_parts(reader, block):
@@ -243,14 +262,14 @@ def add_parts(reader, block):
             return
         at, text = numbers
         found = wholes(reader, cut(block, text, [10] * 3)[:1], at, "the number of a part")
-        material = cut(block, text, [10] * 3)[2]
         if found and found[0] < 1:
             reader.deck.fault(at, f"the part '{title}' has no number; expected are a line with its name and one with its number")
             return
         if found:
             if found[0] in reader.titles:
                 reader.deck.fault(at, f"part {found[0]} is given twice")
-            reader.titles[found[0]] = import_deck.Part(title or f"part_{found[0]}", f"part {found[0]}, material {material or 0}")
+            material = "composite" if "COMPOSITE" in options else f"material {cut(block, text, [10] * 3)[2] or 0}"
+            reader.titles[found[0]] = import_deck.Part(title or f"part_{found[0]}", f"part {found[0]}, {material}")
         if any(option not in EXTRA_OF_PART for option in options):
             return  # lines of other options do not all have a known number
         skip = 2 + sum(EXTRA_OF_PART[option] for option in options)
@@ -283,14 +302,14 @@ def add_set(reader, block):
     if what == "SEGMENT":
         segments = [(at, wholes(reader, cut(block, text, [10] * 4)[:4], at, "the number of a node")) for at, text in cards]
         faces = [import_deck.plate(nodes) for _, nodes in segments if nodes]
-        reader.deck.add_group(name, "surface", faces, at if not cards else block.at)
+        reader.deck.add_group(name, "surface", faces, block.at)
     elif "GENERAL" in options:
         add_general(reader, block, name, cards)
     else:
         members = []
         for at, text in cards:
             words = cut(block, text, [10] * 8)
-            found = wholes(reader, words[:1] if options == ["COLUMN"] else words[:8], at, "numbers")
+            found = wholes(reader, words[:1] if options == ["COLUMN"] else words, at, "numbers")
             if found and options == ["GENERATE"]:
                 members += [(what, pair, at) for pair in zip(found[::2], found[1::2]) if pair != (0, 0)]
             else:
@@ -304,7 +323,7 @@ def add_general(reader, block, name, cards):
     for at, text in cards:
         word, *numbers = cut(block, text, [10] * 8)
         word = word.upper()
-        found = wholes(reader, [one for one in numbers[:7] if one], at, "numbers")
+        found = wholes(reader, [one for one in numbers if one], at, "numbers")
         if word not in ("ALL", "NODE", "PART", "DNODE", "DPART"):
             reader.deck.leave_out(f"{block.keyword}: lines of {word}", at)
         elif word == "ALL":
@@ -317,12 +336,12 @@ def add_general(reader, block, name, cards):
 def add_groups(reader):
     """Sets of nodes, and those of the nodes of elements and parts; sets of element types that are left out stay out, too."""
     deck = reader.deck
-    left_out = {str(other.number) for other in deck.others}
+    left_out = {(other.word.split("_")[1].split(" ")[0], str(other.number)) for other in deck.others}
     for name, what, members, at in reader.sets:
         nodes, without, missing = [], set(), []
         for kind, number, place in members:
             found = nodes_of(reader, kind, number)
-            if found is None and str(number) not in left_out:
+            if found is None and (kind, str(number)) not in left_out:
                 missing.append((place, kind, number))
             elif kind.startswith("D"):
                 without.update(found or [])

@@ -1,7 +1,9 @@
 """The mesh of a file of gmsh, or of another format that meshio reads. What is read stands in docs/meshes.md."""
 import contextlib
 import io
+import math
 import typing
+from numbers import Integral
 from pathlib import Path
 
 import import_deck
@@ -43,21 +45,26 @@ def read(path):
         return deck
     for number, point in enumerate(mesh.points.tolist()):
         deck.points[number] = tuple((point + [0.0, 0.0])[:3])
-    add_cells(deck, mesh, name)
-    add_sets(deck, mesh, name)
+        if not all(map(math.isfinite, point)):
+            deck.fault(name, f"node {number + 1} has a coordinate that is no finite number")
+    groups = {group: (int(pair[0]), int(pair[1])) for group, pair in mesh.field_data.items()
+              if len(pair) == 2 and all(isinstance(one, Integral) for one in pair)}
+    add_cells(deck, mesh, name, groups)
+    add_sets(deck, mesh, name, groups)
     for array in (*mesh.point_data, *mesh.cell_data):
         if not array.startswith(GMSH):
             deck.leave_out(f"array '{array}'", name)
     return deck
 
 
-def add_cells(deck, mesh, name):
-    names = {(int(number), int(dimension)): group for group, (number, dimension) in mesh.field_data.items()}
+def add_cells(deck, mesh, name, groups):
+    """groups: {name: (number, dimension)} of the file; other arrays of a whole file, as our frames have them, are none."""
+    names = {pair: group for group, pair in groups.items()}
     physical = mesh.cell_data.get("gmsh:physical") or [None] * len(mesh.cells)
     sets, seen, again, element = {}, {}, {}, 0
     for block, numbers in zip(mesh.cells, physical):
         kind, dimension = block.type, DIMENSIONS.get(block.type)
-        for i, nodes in enumerate(block.data.tolist()):
+        for i, nodes in enumerate(block.data.tolist() if dimension is not None else block.data):  # polyhedra have lists of faces
             element += 1
             at = Place(name, element)
             number = abs(int(numbers[i])) if numbers is not None else 0
@@ -77,21 +84,23 @@ def add_cells(deck, mesh, name):
                 corners = import_deck.solid(nodes) if kind in SOLIDS else tuple(nodes)
                 deck.elements.append(import_deck.Element(element, corners, part, kind, at))
     for group, count in again.items():
-        deck.notes.append(f"{count} elements of the group '{group}' are in another group, too: '{group}' has their nodes, as a set")
+        words = import_deck.counted(count, ("element", "elements")), "is" if count == 1 else "are"
+        deck.notes.append(f"{words[0]} of the group '{group}' {words[1]} in another group, too: '{group}' has the nodes, as a set")
     for (_, group), nodes in sets.items():
         deck.add_group(group, "node set", nodes, name)
 
 
-def add_sets(deck, mesh, name):
+def add_sets(deck, mesh, name, groups):
     """Sets of meshio. Physical groups of gmsh are there already, but for those whose elements are in another one, too."""
     physical = mesh.cell_data.get("gmsh:physical") or [None] * len(mesh.cells)
     for group, points in mesh.point_sets.items():
         deck.add_group(group, "node set", [int(point) for point in points], name)
     for group, blocks in mesh.cell_sets.items():
-        if group.startswith(GMSH) or group in mesh.field_data and all(
-                chosen is None or not len(chosen) or numbers is not None and (abs(numbers[chosen]) == mesh.field_data[group][0]).all()
+        if group.startswith(GMSH) or group in groups and all(
+                chosen is None or not len(chosen) or numbers is not None and (abs(numbers[chosen]) == groups[group][0]).all()
                 for chosen, numbers in zip(blocks, physical)):
             continue
-        nodes = [node for block, chosen in zip(mesh.cells, blocks) if chosen is not None and len(chosen)
+        nodes = [node for block, chosen in zip(mesh.cells, blocks)
+                 if chosen is not None and len(chosen) and not block.type.startswith("polyhedron")
                  for node in block.data[chosen].ravel().tolist()]
         deck.add_group(group, "element set", nodes, name)

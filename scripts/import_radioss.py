@@ -8,7 +8,9 @@ import import_deck
 OLDEST = 51           # version from which on fields have 10 and 20 columns
 SOLIDS = {"BRICK": 8, "PENTA6": 6, "TETRA4": 4}
 PLATES = {"SHELL": 4, "SH3N": 3}
-OTHERS = {"BRIC20", "TETRA10", "SHEL16", "QUAD", "TRIA", "BEAM", "TRUSS", "SPRING", "SPHCEL", "XELEM", "RIVET"}
+# Other elements, with how many lines each has.
+OTHERS = {"BRIC20": 3, "TETRA10": 2, "SHEL16": 2,
+          **dict.fromkeys(("QUAD", "TRIA", "BEAM", "TRUSS", "SPRING", "SPHCEL", "XELEM", "RIVET"), 1)}
 # Groups of elements: which types they hold, and what the word behind them is where they are given by number.
 OF_GROUP = {"GRBRIC": ("BRICK", "PENTA6", "TETRA4"), "GRSHEL": ("SHELL",), "GRSH3N": ("SH3N",)}
 BY_NUMBER = {"GRBRIC": "BRIC", "GRSHEL": "SHEL", "GRSH3N": "SH3N", "GRNOD": "NODE", "GRPART": "PART"}
@@ -77,13 +79,7 @@ def blocks(deck, path):
 
 
 def wholes(deck, words, at, what):
-    """Whole numbers, nothing is 0; None where one is no number, which is a fault."""
-    try:
-        return [int(word) if word else 0 for word in words]
-    except ValueError:
-        pass
-    found = [import_deck.whole(deck, word or "0", at, f"{what} in 10 columns") for word in words]
-    return None if None in found else found
+    return import_deck.wholes(deck, words, at, f"{what} in 10 columns")
 
 
 # ------------------------------------------------------------------------------------------------
@@ -104,7 +100,7 @@ def read(path):
 
 def take_block(reader, block):
     deck, word = reader.deck, block.words[0] or "/".join(block.words[:2])
-    keyword = "/" + "/".join(one for one in block.words[:2] if not one.isdigit())
+    keyword = "/" + "/".join(one for one in block.words[:2] if not one.isdecimal())
     if word == "BEGIN":
         begin(deck, block)
     elif word in CHANGE_MESH:
@@ -118,9 +114,8 @@ def take_block(reader, block):
     elif word in SOLIDS or word in PLATES:
         add_elements(reader, block)
     elif word in OTHERS:
-        for at, text in block.cards:
-            if text.strip():
-                deck.others.append(import_deck.Other(import_deck.fields(text, [10])[0], f"/{word}", at))
+        for at, text in [card for card in block.cards if card[1].strip()][::OTHERS[word]]:
+            deck.others.append(import_deck.Other(import_deck.fields(text, [10])[0], f"/{word}", at))
     elif word == "PART":
         add_part(reader, block)
     elif word in GROUPS:
@@ -169,7 +164,8 @@ def add_elements(reader, block):
         if number < 1:
             deck.fault(at, f"{number} is no number of an element; fields have 10 columns")
         elif 0 in corners:
-            deck.fault(at, f"element {number} has {sum(node != 0 for node in nodes)} nodes; expected are {count}")
+            there = import_deck.counted(sum(node != 0 for node in nodes), ("node", "nodes"))
+            deck.fault(at, f"element {number} has {there}; expected are {count}")
         elif (word, number) in reader.elements:
             deck.fault(at, f"element {number} is given twice, before at {reader.elements[word, number].at}")
         else:
@@ -192,8 +188,8 @@ def add_part(reader, block):
 def add_group(reader, block):
     """/GRNOD/NODE/7: a title, then numbers; they are looked up when all blocks are read."""
     deck, kind = reader.deck, block.words[0]
-    by = [word for word in block.words[1:] if not word.isdigit()]
-    numbers = [word for word in block.words[1:] if word.isdigit()]
+    by = [word for word in block.words[1:] if not word.isdecimal()]
+    numbers = [word for word in block.words[1:] if word.isdecimal()]
     if not by or not numbers:
         deck.fault(block.at, f"/{'/'.join(block.words)} has no number; expected is /{kind}/{by[0] if by else 'NODE'}/NUMBER")
         return
@@ -259,6 +255,10 @@ def members(reader, kind, number, at):
     return [one for one in found if one not in without]
 
 
+def left_out_solids(deck):
+    return {int(other.number) for other in deck.others if other.word in ("/BRIC20", "/TETRA10", "/SHEL16") and other.number.isdecimal()}
+
+
 def of_number(reader, kind, by, number, at):
     """What a number of a group means: see members()."""
     deck = reader.deck
@@ -278,14 +278,14 @@ def of_number(reader, kind, by, number, at):
         elements = [one for part in members(reader, by, number, at) for one in reader.by_part.get(part, [])]
     elif by == BY_NUMBER.get(kind):
         elements = [reader.elements[word, number] for word in OF_GROUP[kind] if (word, number) in reader.elements]
-        if not elements and str(number) not in {other.number for other in deck.others}:
+        if not elements and number not in (left_out_solids(deck) if kind == "GRBRIC" else ()):
             deck.fault(at, f"there is no element {number} of /{' or /'.join(OF_GROUP[kind])}")
     elif by == "SURF":
         faces = members(reader, by, number, at)
         return [node for face in faces for node in face] if kind == "GRNOD" else faces
     else:
         elements = members(reader, by, number, at)
-        if by == kind or by == "GRNOD":
+        if by == kind:
             return elements
     if kind == "GRNOD":
         return [node for one in elements for node in one.corners]

@@ -28,11 +28,12 @@ AXIS, ANGLE = (1.0, -2.0, 0.7), 2.1   # [-], [rad] of the rotation: parallel to 
 NORMAL = (math.cos(0.6), math.sin(0.6), 0.3)  # [-] of the mirror
 DISTURBANCE = 1e-12  # [-] of the largest speed; and of the largest coordinate a tenth of it
 WAVES = 40           # [-] of the disturbance, over the size of the scene, as the angle of a sine
-POLAR = ("displacement", "velocity", "position", "momentum", "force", "impulse", "current_force")
+POLAR = ("displacement", "velocity", "acceleration", "position", "momentum", "force", "impulse", "current_force")
 AXIAL = ("angular_velocity", "angular_momentum", "section_moment")  # their sense goes the other way round in a mirror
 TENSORS = ("stress", "strain")
 STRESSES = ("xx", "yy", "zz", "xy", "yz", "xz")
 TURNED_AWAY = ("extent", "radius")                      # along fixed axes: a turned body has others
+FOLLOWS = {"velocity": "1", "displacement": "t", "position": "t"}  # what the velocity of a frame of reference adds to them, times this
 IN_A_FRAME = ("momentum", "kinetic_energy", "angular_momentum", "radius")  # of a moving observer they are others
 INTERRUPTED = 6                                         # exit status of a driver that a signal has stopped
 BUILDS_ITSELF = "the program builds its bodies itself; only a case of `scene` has them"
@@ -189,6 +190,7 @@ class Scene:
         if shape["kind"].value == "tube":
             rename(tree, {f"{body['name'].value}.{old}": f"{body['name'].value}.{new}"
                           for old, new in mesh_files.SURFACES_OF_FILES.items()})
+            rename(body.get("sets", []), mesh_files.SURFACES_OF_FILES)
         return mesh_files.Mesh([list(p) for p in made["points"]], cells, sets)
 
     def base_from_files(self):
@@ -248,26 +250,38 @@ def rename(tree, names):
 def with_components(tree, matrix=twins.IDENTITY, velocity=None):
     """Gives probes with a direction all their components, so that they can be carried back; returns (probes, skipped) of a Twin.
 
+    A probe that a formula needs is a formula of its components in the twin, so that the formula has there what it has in the base.
+
     velocity  [m/s] of the frame that moves
     """
-    probes, skipped, made = {}, {}, []
+    probes, skipped, made, images = {}, {}, [], []
     mirrors = twins.determinant(matrix) < 0
     for probe in tree.get("probes", []):
-        name, quantity, component = probe["name"].value, probe["quantity"].value, word_of(probe, "component")
+        name, quantity, component = probe["name"].value, word_of(probe, "quantity"), word_of(probe, "component")
         vector = quantity in POLAR or quantity in AXIAL
         to_split = vector and (component in ("x", "y", "z") or velocity is not None and component != "normal")
-        if velocity is not None and quantity in IN_A_FRAME or velocity is None and quantity in TURNED_AWAY:
+        if quantity is None:
+            of = sorted(twins.names_in(probe["value"].value) & set(skipped))
+            if of:
+                skipped[name] = f"it is computed of '{of[0]}', which is not compared"
+            made += [one for one in images if one["name"].value in twins.names_in(probe["value"].value)
+                     and one["name"].value not in {other["name"].value for other in made}]
+        elif velocity is not None and quantity in IN_A_FRAME or velocity is None and quantity in TURNED_AWAY:
             skipped[name] = f"{quantity} of a probe is another one in the other frame"
+        elif "along" in probe:
+            pass  # its direction has turned with the case
         elif velocity is None and quantity in TENSORS and word_of(probe, "take", "mean") != "mean":
             skipped[name] = f"the largest component of a {quantity} has no image"
         elif velocity is None and quantity in TENSORS:
             made += [{**probe, "name": Quantity(f"{name}__{c}"), "component": Quantity(c)} for c in STRESSES]
             probes[name] = [f"{name}__{c}" for c in STRESSES], tensor_back(matrix, STRESSES.index(component))
+            images.append(image(name, tensor_text(matrix, probes[name][0], STRESSES.index(component))))
             continue
         elif to_split:
             made += [{**probe, "name": Quantity(f"{name}__{c}"), "component": Quantity(c)} for c in "xyz"]
             sign = -1 if mirrors and quantity in AXIAL else 1
             probes[name] = [f"{name}__{c}" for c in "xyz"], vector_back(matrix, sign, quantity, component, velocity)
+            images.append(image(name, vector_text(matrix, probes[name][0], sign, quantity, component, velocity)))
             continue
         made.append(probe)
     if made:
@@ -289,9 +303,29 @@ def tensor_back(matrix, index):
     return lambda _, s: twins.tensor(twins.transposed(matrix), s)[index]
 
 
+def image(name, text):
+    """The formula that has in the twin what the probe of this name has in the base."""
+    return {"name": Quantity(name), "value": Quantity(text)}
+
+
+def vector_text(matrix, names, sign, quantity, component, velocity):
+    """vector_back as an expression of the names of the components and of t."""
+    texts = [" + ".join(f"({sign * m!r})*{name}" for m, name in zip(row, names)) for row in twins.transposed(matrix)]
+    if velocity is not None and quantity in FOLLOWS:
+        texts = [f"{text} - ({v!r})*({FOLLOWS[quantity]})" for text, v in zip(texts, velocity)]
+    return texts["xyz".index(component)] if component in ("x", "y", "z") else "sqrt(" + " + ".join(f"({text})^2" for text in texts) + ")"
+
+
+def tensor_text(matrix, names, index):
+    """tensor_back as an expression of the names of the components."""
+    back = tensor_back(matrix, index)
+    parts = [back(None, [float(i == j) for j in range(len(names))]) for i in range(len(names))]
+    return " + ".join(f"({part!r})*{name}" for part, name in zip(parts, names))
+
+
 def moved_with(quantity, at, v, velocity):
     """A vector as an observer who moves with the frame has it."""
-    part = {"velocity": 1.0, "displacement": at, "position": at}.get(quantity, 0.0)
+    part = {"1": 1.0, "t": at}.get(FOLLOWS.get(quantity), 0.0)
     return [a - part * b for a, b in zip(v, velocity)]
 
 
@@ -511,13 +545,23 @@ def declared_pairs(scene, contact, passes):
 
 
 def without_probes_of(tree, names):
-    """Takes probes of contacts that are no more out of a tree; returns them with the reason."""
-    gone = {probe["name"].value: "its contact is another one" for probe in tree.get("probes", []) if word_of(probe, "of") in names}
+    """Takes probes of contacts that are no more out of a tree, and formulas of them; returns them with the reason."""
+    gone = {}
+    for probe in tree.get("probes", []):
+        if word_of(probe, "of") in names:
+            gone[probe["name"].value] = "its contact is another one"
+        elif computed_of(probe, gone):
+            gone[probe["name"].value] = "the contact of a probe of which it is computed is another one"
     if "probes" in tree:
         tree["probes"] = [probe for probe in tree["probes"] if probe["name"].value not in gone]
         if not tree["probes"]:
             del tree["probes"]
     return gone
+
+
+def computed_of(probe, names):
+    """Whether a probe is a formula of one of these."""
+    return twins.is_formula(probe) and not twins.names_in(probe["value"].value).isdisjoint(names)
 
 
 OF_AUTOMATIC = ("method", "friction", "kinetic_friction", "friction_decay", "edges", "initial_penetration", "restitution", "penalty",
@@ -548,7 +592,7 @@ def exchanged(scene):
     """Apexes and base exchanged; of automatic contact, the bodies listed the other way round."""
     tree = copy.deepcopy(scene.tree)
     scene.bodies()
-    probes, changed = {}, False
+    probes, skipped, changed = {}, {}, False
     for one in tree.get("contacts", []):
         kind = word_of(one, "kind", "contact")
         if kind == "automatic":
@@ -560,7 +604,10 @@ def exchanged(scene):
                     probes[probe["name"].value] = [probe["name"].value], lambda _, v: -v[0]
     if not changed:
         raise CannotChange("it has no contact of two bodies")
-    return Twin(scene.base, run_or_skip(scene, "exchanged", tree), probes=probes)
+    for probe in tree.get("probes", []):
+        if computed_of(probe, {*probes, *skipped}):
+            skipped[probe["name"].value] = "a force of which it is computed is that on the other side"
+    return Twin(scene.base, run_or_skip(scene, "exchanged", tree), probes=probes, skipped=skipped)
 
 
 def diagonals(scene):
@@ -612,7 +659,10 @@ def rows(scene):
     for key in ("history_every", "frames_every"):
         tree["output"][key] = Quantity(tree["output"][key].value / 2, "s")
     other = scene.run("rows", tree)
-    means = {probe["name"].value for probe in scene.tree.get("probes", []) if probe["quantity"].value == "force"}
+    means = set()
+    for probe in scene.tree.get("probes", []):
+        if word_of(probe, "quantity") in ("force", "acceleration") or computed_of(probe, means):
+            means.add(probe["name"].value)
     if "bodies" not in scene.tree:  # the program has its probes itself
         means = {name for name, (unit, _) in compare_runs.history(scene.base).items() if unit == "N"}
     first = next(iter(scene.base.columns))

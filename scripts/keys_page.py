@@ -1,8 +1,9 @@
 """The page of all keys, and the tables of results, columns and fields, from what programs say of themselves."""
 import re
 
-PROGRAMS = ("scene", "modes", "two_blocks", "patch_test", "sliding", "cask_drop", "plug_juncture", "shield_plates", "slug_impact",
-            "material_point", "contact_elements", "penalty_oscillator")
+from keys_schema import range_of
+from runs import PROGRAMS
+
 RESULTS = "docs/results.md"
 BEGIN, END = "<!-- written by scripts/keys: {} -->", "<!-- end of what scripts/keys writes -->"
 
@@ -75,11 +76,11 @@ def of_range(key):
     """What values a key may have: "> 0, ≤ 10" of "0 < safety <= 10"."""
     told = []
     for one in key.get("range", "").split(" | "):
-        found = re.fullmatch(r"(?:(\S+)(?: \S+)? (<=?) )?(\w+)(?: (<=?|>=?) (\S+)(?: \S+)?)?", one)
-        if found is None or found[3] != last(key["path"]):
+        found = range_of(one, last(key["path"]))
+        if found is None:
             told.append(one)
             continue
-        low, low_sign, _, sign, value = found.groups()
+        low, low_sign, sign, value = found
         ends = [f"{'≥' if low_sign == '<=' else '>'} {float(low):.6g}"] if low else []
         ends += [f"{ {'<': '<', '<=': '≤', '>': '>', '>=': '≥'}[sign]} {float(value):.6g}"] if sign else []
         told.append(", ".join(ends))

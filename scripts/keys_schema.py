@@ -12,12 +12,22 @@ def path(program):
     return "docs/nereid.schema.json" if program == "scene" else f"docs/schemas/{program}.schema.json"
 
 
+def range_of(text, name):
+    """(low, its sign, sign, high) of the range of a key, as of "0 m < length <= 10 m"; None of other words.
+
+    >>> range_of("0 m < length <= 10 m", "length"), range_of("n >= 2", "n"), range_of("three", "normal")
+    (('0', '<', '<=', '10'), (None, None, '>=', '2'), None)
+    """
+    found = re.fullmatch(r"(?:(\S+)(?: \S+)? (<=?) )?(\w+)(?: (<=?|>=?) (\S+)(?: \S+)?)?", text)
+    return (*found.groups()[:2], *found.groups()[3:]) if found is not None and found[3] == name else None
+
+
 def bounds(range_text, name):
     """{minimum and so on} of "0 < safety <= 10"; nothing of several ranges."""
-    found = re.fullmatch(r"(?:(\S+) (<=?) )?(\w+)(?: (<=?|>=?) (\S+))?", range_text)
-    if found is None or found[3] != name:
+    found = range_of(range_text, name)
+    if found is None:
         return {}
-    low, low_sign, _, sign, value = found.groups()
+    low, low_sign, sign, value = found
     ends = {"minimum" if low_sign == "<=" else "exclusiveMinimum": float(low)} if low else {}
     words = {"<": "exclusiveMaximum", "<=": "maximum", ">": "exclusiveMinimum", ">=": "minimum"}
     return {**ends, words[sign]: float(value)} if sign else ends

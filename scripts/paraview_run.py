@@ -48,7 +48,10 @@ def refuse(said):
 
 
 def times_of(index):
-    """[s] of the frames that a collection lists; none where there is no such file."""
+    """[s] of the frames that a collection lists; none where there is no such file.
+
+    scripts/frames.py does the same, but in ParaView's window this script has no path by which it could import others.
+    """
     try:
         return [float(one.get("timestep")) for one in xml.parse(index).getroot().iter("DataSet")] if index.is_file() else []
     except (xml.ParseError, TypeError, ValueError):
@@ -77,7 +80,7 @@ class Frame:
             parts, kinds = data.GetCellData().GetArray(self.of_body), {}
             for cell in range(parts.GetNumberOfTuples() if parts else 0):
                 kinds.setdefault(int(parts.GetValue(cell)), data.GetCellType(cell))
-            self.bodies = [(f"part {number}", number, PLATES if kind == TRIANGLE else SOLIDS) for number, kind in sorted(kinds.items())]
+            self.bodies = [(str(number), number, PLATES if kind == TRIANGLE else SOLIDS) for number, kind in sorted(kinds.items())]
 
 
 # ------------------------------------------------------------------------------------------------

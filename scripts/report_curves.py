@@ -30,8 +30,12 @@ def histories(runs, wanted, times):
         names = [name for name in names if name in wanted.probes]
     if not names:
         return "<p>The run has no probes, so the histories hold the energies alone.</p>"
+    empty = [name for name in names if not any(has_numbers(run, name) for run in shown)]
+    names = [name for name in names if name not in empty]
     zero = zero_columns(shown, names)
     parts = []
+    if empty:
+        parts.append(f"<p class=quiet>Without a finite number in any row, and not drawn: {esc(', '.join(empty))}.</p>")
     if zero:
         parts.append(f"<p class=quiet>Zero but for round-off in every row, and not drawn: {esc(', '.join(zero))}.</p>")
     drawn = [name for name in names if name not in zero]
@@ -49,13 +53,25 @@ def histories(runs, wanted, times):
             lacking = [name for name in names if name not in run.columns]
             if lacking:
                 parts.append(f"<p class=quiet>{named(run)} has no {esc(', '.join(lacking))}.</p>")
+            unknown = [name for name in names if name in run.columns and not has_numbers(run, name)]
+            if unknown:
+                parts.append(f"<p class=quiet>{named(run)} has no finite number in any row of {esc(', '.join(unknown))}.</p>")
     return "".join(parts)
+
+
+def has_numbers(run, name):
+    """Whether a column of a run has a finite number."""
+    return name in run.columns and bool(np.any(np.isfinite(run.columns[name])))
+
+
+def largest(values):
+    """The largest magnitude of the finite numbers."""
+    return float(np.max(np.abs(values[np.isfinite(values)])))
 
 
 def zero_columns(runs, names):
     """Columns that are zero, or no more than round-off of the largest column of their unit, in all runs."""
-    sizes = [(run.units[name], name, float(np.max(np.abs(np.nan_to_num(run.columns[name]))))) for run in runs for name in names
-             if name in run.columns]
+    sizes = [(run.units[name], name, largest(run.columns[name])) for run in runs for name in names if has_numbers(run, name)]
     most = {unit: max(size for one, _, size in sizes if one == unit) for unit, _, _ in sizes}
     some = {name for unit, name, size in sizes if size > (NOTHING * most[unit] if unit != "1" else 0)}
     return [name for name in names if name not in some]
@@ -66,7 +82,7 @@ def bundled(run, names):
     quantities, found = run.quantities(), []
     for name in names:
         kind = quantities.get(name, ""), run.units[name]
-        size = float(np.nanmax(np.abs(run.columns[name])))
+        size = largest(run.columns[name])
         for bundle in found:
             of_kind, of_size, members = bundle
             if kind == of_kind and len(members) < MOST_CURVES and size < ALIKE * of_size and of_size < ALIKE * size:
@@ -78,15 +94,14 @@ def bundled(run, names):
 
 
 def history_box(runs, names, times):
-    having = [run for run in runs if any(name in run.columns for name in names)]
+    having = [run for run in runs if any(has_numbers(run, name) for name in names)]
     run = having[0]
     quantity_of, unit = run.quantities().get(names[0], ""), run.units[names[0]]
     across_factor, across = axis_of(having)
-    every = [one.columns[name] for one in having for name in names if name in one.columns]
-    size = max(float(np.nanmax(np.abs(values))) for values in every)
+    size = max(largest(one.columns[name]) for one in having for name in names if has_numbers(one, name))
     factor, shown = axis_scale(size, unit)
     curves = [(label_of(one, name, names, runs), one.columns[one.first] / across_factor, one.columns[name] / factor, name in one.means)
-              for one in having for name in names if name in one.columns]
+              for one in having for name in names if has_numbers(one, name)]
     title = names[0] if len(names) == 1 else quantity_of or WORDS_OF_UNITS.get(unit, "value")
     mean = ", mean" if any(one[3] for one in curves) else ""
     up = f"{title.replace('_', ' ')}{mean} [{shown or '–'}]"
@@ -143,7 +158,7 @@ def energy_diagrams(run, times):
     if most == 0:
         return f"<p>{tag(run)}All energies are zero.</p>"
     factor, shown = scale_of(most, "J")
-    start = next(iter(groups.values()))[0] * 0 + sum(values[0] for values in groups.values()) - outside[0]
+    start = sum(values[0] for values in groups.values()) - outside[0]
     svg = figures.energy_figure(run.columns[run.first] / across_factor, {name: values / factor for name, values in large.items()},
                                 sum(groups.values()) / factor, (start + outside) / factor, across, f"energy [{shown}]",
                                 times.marks(across_factor))

@@ -15,7 +15,7 @@ GROUPS = {"elastic": ("elastic", "compression", "cavitation", "weight", "transve
 OUTSIDE = ("external_work", "potential")  # stored: what it lost went into the scene
 CHANNELS = sorted((channel for channels in (*GROUPS.values(), OUTSIDE) for channel in channels), key=len, reverse=True)
 WHOLE = ("energy_integration", "energy_residual")
-SMALL = 5e-3  # of the largest energy: less is drawn with the others
+SMALL = 5e-3  # of the largest energy: less is not drawn
 
 
 def group_of(channel):
@@ -46,7 +46,7 @@ def over_time(run):
 
 
 def drawn(groups):
-    """The groups that are large enough to see, and {name: largest share} of the others, which are drawn as their sum."""
+    """The groups that are large enough to see, and {name: largest share} of the others, which are not drawn."""
     size = {name: float(np.nanmax(np.abs(values))) for name, values in groups.items()}
     most = max(size.values(), default=0.0) or 1.0
     large = {name: values for name, values in groups.items() if size[name] >= SMALL * most}

@@ -151,7 +151,7 @@ def listed(run, said):
     for one in said:
         remedy = f"<span class=remedy><b>Remedy:</b> {esc(one.remedy)}.</span>" if one.remedy else ""
         if not one.remedy and one.kind == "warning":
-            remedy = "<span class='remedy quiet'>The program knows no remedy that was shown to help.</span>"
+            remedy = "<span class='remedy quiet'>No remedy was shown to help.</span>"
         where = f"<span class=quiet>See <a href='#{esc(target(run, one.where[0]))}'>{esc(one.where[1])}</a>.</span>" if one.where else ""
         word = "Interrupted" if one.kind == "ending" and run.word == "interrupted" else words[one.kind]
         text = one.text if one.text.endswith(".") else one.text + "."

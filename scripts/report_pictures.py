@@ -36,7 +36,7 @@ class CannotDraw(Exception):
 
 
 def start_on_a_screen():
-    """Starts the script again under xvfb-run if there is no screen to draw on; says why not where that is impossible."""
+    """Starts the script again under xvfb-run if there is no screen to draw on; without xvfb-run there is none, as need_vtk says."""
     if os.environ.get("DISPLAY"):
         return
     xvfb = shutil.which("xvfb-run")

@@ -52,18 +52,14 @@ class Run:
 
     def read_summary(self):
         try:
-            found = run_files.read_summary(self.folder)
-        except (run_files.Unreadable, UnicodeDecodeError) as error:
+            return run_files.read_summary(self.folder)
+        except run_files.Unreadable as error:
             if not (self.folder / "summary.json").exists():
                 now = "another program holds the folder, so the run goes on" if self.is_held() else "it was killed, or it goes on elsewhere"
                 self.missing.append(f"summary.json is missing, so the run was not finished: {now}. {UNKNOWN}")
             else:
                 self.missing.append(f"summary.json cannot be read: {error}. {UNKNOWN}")
             return {}
-        if not isinstance(found, dict):
-            self.missing.append(f"summary.json is no summary of a run: expected is an object. {UNKNOWN}")
-            return {}
-        return found
 
     def is_held(self):
         """Whether another program holds the lock of the folder."""
@@ -109,13 +105,13 @@ class Run:
     def listed(self, name):
         """[(time, file)] of the frames of a data set."""
         try:
-            return frames.frames_of(self.folder, name)
+            found = frames.listed(self.folder, name)
         except frames.CannotRead as error:
-            if name == "body" and (self.folder / "body.pvd").exists():
-                self.missing.append(f"There are no pictures: {error}")
-        except (SyntaxError, TypeError, ValueError):  # of XML
-            self.missing.append(f"{name}.pvd is no collection of ParaView, so its frames are not shown.")
-        return []
+            self.missing.append(f"{error}, so its frames are not shown.")
+            return []
+        if name == "body" and not found and (self.folder / "body.pvd").exists():
+            self.missing.append("There are no pictures: body.pvd lists no frames; was the driver built without VTK?")
+        return found
 
     # -- how it ended
 

@@ -112,7 +112,7 @@ def body_table(run, start):
         return ""
     rows = []
     for i in numbers:
-        name = names.get(i, f"body {i + 1}")
+        name = frames.name_of(i, names)
         item = said.get(name, said.get(name.partition(".")[0], {}))
         swatch = f"<span class=swatch style='background:{rgb(pictures.BODIES[i % len(pictures.BODIES)])}'></span>" if start else ""
         kind = item.get("material.kind", item.get("material", ("", True)))[0]
@@ -207,7 +207,10 @@ def default_times(run):
 def event_of(run, first, last):
     """The time of the largest force, of the least kinetic energy, or half of the time, whichever is known and not at an end."""
     span = last - first
-    within = lambda time: first + 0.03 * span < time < last - 0.03 * span  # noqa: E731
+
+    def within(time):
+        return first + 0.03 * span < time < last - 0.03 * span
+
     for name in run.probes():
         if run.units[name] == "N":
             values = np.abs(np.nan_to_num(run.columns[name]))

@@ -1,7 +1,7 @@
 """What the figures of runs draw, read from the folders that the drivers wrote: plain curves in the units of the axes."""
 from pathlib import Path
 
-from run_files import Unreadable, column, read_history, read_summary
+from run_files import Unreadable, column, member, read_history, read_summary
 
 PLUGS = ("small", "intermediate", "large")
 CREATED = ("energy_created", "energy_integration", "energy_residual")
@@ -19,18 +19,19 @@ def settlements(folders):
     """[(name of the run, settlement [mm] of the cask's head over `time` [ms], with the maximum of all steps)] of runs of cask_drop."""
     found = []
     for folder, name in zip(folders, names_of(folders)):
-        history, results = read_history(folder), read_summary(folder)["results"]  # of every step; the history has some of them
+        history, summary = read_history(folder), read_summary(folder)  # of every step; the history has some of them
         found.append((name, {"time": column(history, "time", "s", folder) * 1e3,
                              "mean of the head": column(history, "settlement_mean", "m", folder) * 1e3,
                              "centre of the head": column(history, "settlement_centre", "m", folder) * 1e3,
-                             "largest": tuple(1e3 * results[key]["value"] for key in ("settlement_mean", "time_of_settlement_mean"))}))
+                             "largest": tuple(1e3 * member(summary, folder, "results", key, "value")
+                                              for key in ("settlement_mean", "time_of_settlement_mean"))}))
     return found
 
 
 def energies(folder):
     """(time [ms], what holds energy, what was created), the last two as {column: per cent of the initial kinetic energy}."""
     history = read_history(folder)
-    initial = read_summary(folder)["ledger"]["initial_kinetic"]["value"]  # [J]
+    initial = member(read_summary(folder), folder, "ledger", "initial_kinetic", "value")  # [J]
     if not initial > 0:
         raise Unreadable(f"{folder}/summary.json: the initial kinetic energy is {initial} J; nothing to compare with")
     time = column(history, "time", "s", folder) * 1e3

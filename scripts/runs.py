@@ -29,6 +29,8 @@ import case_values
 import processes
 
 ROOT = Path(__file__).resolve().parent.parent
+PROGRAMS = ("scene", "modes", "two_blocks", "patch_test", "sliding", "cask_drop", "plug_juncture", "shield_plates", "slug_impact",
+            "material_point", "contact_elements", "penalty_oscillator")  # the drivers, in the order of docs/keys.md
 BAD_CASE = 2  # exit status of a driver that refuses its case
 STOPPED = 3  # exit status of a driver whose physics stopped: a result, not a fault
 UNFINISHED = "unfinished_"  # begins the name of the folder of a run that goes on; the number of its process follows
@@ -491,9 +493,9 @@ def crossings(times, values, level=0.0, rising=None):
 # Reading ParaView files
 
 NUMBERS = {"Float64": "d", "Float32": "f", "Int32": "i", "Int64": "q", "UInt8": "B", "UInt32": "I", "UInt64": "Q"}
-
-
 DEFORMED = "points_are_deformed"  # array of a whole file: its points stand where they are at its time
+
+
 
 
 def read_fields(path):

@@ -14,7 +14,7 @@ import math
 from convergence import tendency
 
 MESH = "mesh"  # the knob of the mesh
-FINER = 2      # meshes that must bear a point out
+FINER = 2      # finer meshes that a confirmed point has
 BETTER = 0.95  # [-] of the error of a cheaper run: less of a gain is none
 ENOUGH = 0.9  # [-] of the cost or the error of the defaults: from here on a value pays, and is tried in pairs
 
@@ -158,16 +158,16 @@ def front(points, cost, error):
     return found
 
 
-def borne_out(points):
+def confirmed(points):
     """The points that count: those with two finer meshes, or as many as any point of a sweep with fewer meshes."""
     finer = [len(finer_of(one, points)) for one in points]
     return [one for one, number in zip(points, finer) if number >= min(FINER, max(finer))]
 
 
 def front_of(points, result, references, cost, surely=False):
-    """The front of one result; points that have no number do not count, and `surely` none that finer meshes do not bear out."""
+    """The front of one result; points that have no number do not count, and `surely` none that finer meshes do not confirm."""
     good = [one for one in points if one.good()]
-    return front(borne_out(good) if surely else good, cost, lambda one: counted(one, result, good, references))
+    return front(confirmed(good) if surely else good, cost, lambda one: counted(one, result, good, references))
 
 
 def updates_of(point):
@@ -241,7 +241,7 @@ class Panel:
     """What a panel of the figure shows: one result over one cost, points as (cost, error [%]).
 
     beaten       those that another one beats
-    alone        those that finer meshes do not bear out
+    alone        those that finer meshes do not confirm
     front        those that no other one beats, as (cost, error [%], number in the table)
     base         the case itself
     uncertainty  [%] of the reference; infinite without one, and then there are no points
@@ -266,7 +266,7 @@ def panel_of(points, base, result, references, cost):
     def place(point):
         return cost(point), 100 * max(counted(point, result, points, references), LEAST)
 
-    best, sure = front_of(points, result, references, cost, surely=True), borne_out(points)
+    best, sure = front_of(points, result, references, cost, surely=True), confirmed(points)
     numbers = {id(one): number + 1 for number, (one, _) in enumerate(front_points(points, result, references))}
     return Panel([place(one) for one in sure if one not in best], [place(one) for one in points if one not in sure],
                  [(*place(one), numbers[id(one)]) for one in best], place(base), 100 * uncertainty)
@@ -278,7 +278,7 @@ def panels(points, base, references):
 
 
 def series_lines(lines, wanted, references):
-    """{line: (points that finer meshes bear out, the others)}, points as (processor time [s], error that counts [%], name of the mesh)."""
+    """{line: (points that finer meshes confirm, the others)}, points as (processor time [s], error that counts [%], name of the mesh)."""
     found = [one for some in lines.values() for one in some]
 
     def places(some):

@@ -19,7 +19,7 @@ class Row:
     knobs   {name: label} of what differs from the case
     errors  {result: error [-], or None where the reference cannot judge it}
     counted {result: error that counts [-]}
-    finer   how many finer meshes bear it out
+    finer   how many finer meshes confirm it
     """
     case: str
     knobs: dict
@@ -139,7 +139,7 @@ def least_of(rows, case, result):
 
 
 def front_of(rows, result):
-    """The rows of one case on the front of a result, by either cost, that finer meshes bear out."""
+    """The rows of one case on the front of a result, by either cost, that finer meshes confirm."""
     enough = min(points.FINER, max(row.finer for row in rows))
     sure = [row for row in rows if row.finer >= enough]
     return [row for cost in (points.updates_of, points.seconds_of) for row in points.front(sure, cost, lambda row: row.counted[result])]

@@ -31,8 +31,42 @@ class Texts(list):
 
 
 def tree_of(run):
-    """What a case says, without defaults: dictionaries and lists of Quantity and Texts."""
-    return taken(run.summary["provenance"]["resolved"])
+    """What a case says, without defaults: dictionaries and lists of Quantity and Texts. Paths of tables of curves are absolute."""
+    return with_absolute_tables(taken(run.summary["provenance"]["resolved"]), run.case_file.parent)
+
+
+def with_absolute_tables(node, beside):
+    """A tree whose curves have their tables from everywhere.
+
+    beside  the folder from which the paths are seen
+
+    >>> from pathlib import Path
+    >>> with_absolute_tables({"curve": {"table": Quantity("steel.csv:stress")}}, Path("/cases"))["curve"]["table"].value
+    '/cases/steel.csv:stress'
+    """
+    if isinstance(node, list) and not isinstance(node, Texts):
+        return [with_absolute_tables(one, beside) for one in node]
+    if not isinstance(node, dict):
+        return node
+    made = {key: with_absolute_tables(one, beside) for key, one in node.items()}
+    if "table" in made:
+        path, colon, column = made["table"].value.partition(":")
+        made["table"] = Quantity(f"{(beside / path).resolve()}{colon}{column}")
+    return made
+
+
+def is_formula(node):
+    """Whether a probe is computed from others: its text is over their names, and its values are in SI in any system of units."""
+    return "value" in node and "name" in node and "kind" not in node and not isinstance(node["value"], Texts)
+
+
+def names_in(formula):
+    """Names of the probes of which a formula is made, among others.
+
+    >>> sorted(names_in("push_force * tip / max(t, 1e-9)"))
+    ['max', 'push_force', 't', 'tip']
+    """
+    return set(re.findall(r"(?<![\w.])[A-Za-z_]\w*", formula))
 
 
 def taken(node):
@@ -43,7 +77,7 @@ def taken(node):
     kept = {key: taken(one) for key, one in node.items() if not re.search(r"_file(_\d+)?$", key)}  # these say what a file held
     kept = {key: one for key, one in kept.items() if one is not None and one != [] and (one != {} or key == "relaxation")}
     keys = [key for key in ("value", "velocity", "displacement", "incident") if key in kept]  # texts, with their unit beside them
-    if "unit" in kept and keys:
+    if "unit" in kept and keys and not is_formula(kept):
         unit = kept.pop("unit").value
         factor, *powers = measure(unit)
         angle = ["rad"] if re.search(r"\b(rad|deg)\b", unit) else []
@@ -342,13 +376,15 @@ def moved(tree, matrix, shift=(0, 0, 0), mirror="x"):
                 turns = word_of(new, "kind") == "moment" or within == "angular_velocity"  # a mirror turns its sense about
                 with_sign = [[-m for m in row] for row in matrix] if turns and mirrors else matrix
                 new[key] = Texts(combined(new[key], with_sign), new[key].dimension)
-        for key, change in (("normal", lambda v: product(matrix, v)), ("point", place), ("near", place), ("centre", place),
-                            ("inertia", lambda s: tensor(matrix, s))):
+        for key, change in (("normal", lambda v: product(matrix, v)), ("along", lambda v: product(matrix, v)), ("point", place),
+                            ("near", place), ("centre", place), ("inertia", lambda s: tensor(matrix, s))):
             if key in new:
                 new[key] = Quantity(change(new[key].value), new[key].unit)
+        if within == "cylinder":
+            new.update((key, Quantity(place(new[key].value), "m")) for key in ("from", "to"))
         return new
 
-    twin = visit(tree)
+    twin = visit(with_half_spaces(tree))
     if "gravity" in twin:
         twin["gravity"] = Quantity(product(matrix, tree["gravity"].value), tree["gravity"].unit)
     for body in twin["bodies"]:
@@ -364,6 +400,31 @@ def moved(tree, matrix, shift=(0, 0, 0), mirror="x"):
         body["rotate"] = {"axis": Quantity(axis, "1"), "angle": Quantity(angle, "rad")}
         body["move"] = Quantity(place(at), "m")
     return twin
+
+
+def with_half_spaces(tree):
+    """A tree whose sets have no boxes, which lie along the axes: a box is what six half spaces have in common."""
+    return {**tree, "bodies": [{**body, "sets": [part for one in body["sets"] for part in without_box(one)]} if "sets" in body else body
+                               for body in tree["bodies"]]}
+
+
+def without_box(one):
+    """The sets that take the place of one.
+
+    >>> corners = {"low": Quantity([0.0, 0.0, 0.0], "m"), "high": Quantity([1.0, 2.0, 3.0], "m")}
+    >>> made = without_box({"name": Quantity("pad"), "box": corners})
+    >>> made[-1]["all_of"].value == [part["name"].value for part in made[:-1]], made[3]["half_space"]["normal"].value
+    (True, [0.0, -1.0, 0.0])
+    """
+    if "box" not in one:
+        return [one]
+    name, made = one["name"].value, []
+    for axis in range(3):
+        for end, sign in (("low", 1.0), ("high", -1.0)):
+            normal = Quantity([sign if i == axis else 0.0 for i in range(3)], "1")
+            made.append({"name": Quantity(f"{name}__{'xyz'[axis]}_{end}"), "half_space": {"point": one["box"][end], "normal": normal}})
+    rest = {key: value for key, value in one.items() if key != "box"}
+    return [*made, {**rest, "all_of": Quantity([part["name"].value for part in made])}]
 
 
 def scaled(tree, scale):

@@ -105,7 +105,7 @@ def check_names(asked):
     for name, field, component in (("body", asked.field, asked.component), ("contact", asked.contact_field, None)):
         if name not in drawn or not (field or component):
             continue
-        there = fields_of(asked.folder / chosen_file(asked.folder, name, asked.time)[1])
+        there = fields_of(chosen_file(asked.folder, name, asked.time)[1])
         if "part_id" in there:
             there.setdefault("body", there["part_id"])  # of older frames
         if field and field not in there:
@@ -117,11 +117,11 @@ def check_names(asked):
         if not component and len(components) not in (1, 3):
             command_line.refuse(f"say which component of '{field}' is meant; there are: {', '.join(components)}")
     by_name = [*asked.hide, *asked.only, *(asked.cut or [])]
-    there = names_of_bodies(asked.folder / chosen_file(asked.folder, "body", asked.time)[1]) if by_name and "body" in drawn else []
+    there = names_of_bodies(chosen_file(asked.folder, "body", asked.time)[1]) if by_name and "body" in drawn else []
     wrong = [command_line.unknown("body", name, there) for name in by_name if name not in there]
     if wrong:
         command_line.refuse("; ".join(wrong))
-    if asked.show == ["body"] and there and set(asked.hide) >= set(there):
+    if there and set(asked.hide) >= set(there):
         command_line.refuse("argument --hide: there is no other body")
 
 
@@ -154,15 +154,11 @@ def give_a_screen():
 
 
 def listed(folder, name):
-    """[(time [s], file)] of the frames of a data set."""
-    index = os.path.join(folder, name + ".pvd")
-    if not os.path.exists(index):
-        return []
+    """[(time [s], file)] of the frames of a data set; the script ends where its collection is damaged."""
     try:
-        return [(float(one.get("timestep")), one.get("file"))
-                for one in xml.parse(index).getroot().iter("DataSet")]
-    except (xml.ParseError, TypeError, ValueError):
-        command_line.refuse(f"{index} is no collection of ParaView")
+        return frames.listed(folder, name)
+    except frames.CannotRead as error:
+        command_line.refuse(error)
 
 
 def chosen_file(folder, name, time):
@@ -178,11 +174,7 @@ def frame(folder, name, time):
     at, file = chosen_file(folder, name, time)
     if file is None:
         return None, None
-    surface = file.endswith(".vtp")
-    reader = vtk.vtkXMLPolyDataReader() if surface else vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(os.path.join(folder, file))
-    reader.Update()
-    return at, reader.GetOutput()
+    return at, frames.load(file)
 
 
 def moved(data, factor):
@@ -203,7 +195,7 @@ def named(data):
         numbers = numpy_to_vtk(of_cells.astype("i4"), deep=True)
         numbers.SetName("body")
         data.GetCellData().AddArray(numbers)
-    return of_cells, {names.get(int(one), str(one)): int(one) for one in sorted(set(of_cells))}
+    return of_cells, {frames.name_of(one, names): int(one) for one in sorted(set(of_cells))}
 
 
 def with_cells(data, which):
@@ -400,6 +392,8 @@ def colours_of_bodies(names):
 
 
 def add_body(renderer, body, asked):
+    if not body.pieces:  # the cut has taken all
+        return
     field = chosen(body.whole, asked.field, PREFERRED["body"])
     for data in body.pieces:
         mapper = surface_mapper(data)
@@ -679,7 +673,7 @@ def draw_frames(asked):
     for time in times:
         _, there = data_at(asked, time)
         points.append(outline(there, asked))
-        if "body" in there:
+        if "body" in there and there["body"].whole.GetNumberOfCells() > 0:
             whole = there["body"].whole
             limits = joined(limits, whole, chosen(whole, asked.field, PREFERRED["body"]), asked.component)
         if "contact" in there and asked.contact_field:
@@ -694,7 +688,7 @@ def draw_frames(asked):
 def something(points, asked):
     """The same points; without any, the script ends."""
     if not len(points):
-        sys.exit(f"view.py: nothing to draw in {asked.folder}: no part of a body lies in what is asked for")
+        command_line.refuse(f"nothing to draw in {asked.folder}: no part of a body lies in what is asked for")
     return points
 
 

@@ -1,24 +1,36 @@
 #include "dynamics/section.hpp"
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <utility>
 
 namespace nereid::dynamics {
 
 namespace {
 
-constexpr double within = 1e-9;  // of the radius: nodes on the cylinder are within it
+constexpr double within = 1e-9;  // of the radius, or of the size of the body: nodes on the cylinder are within it, on the plane behind it
 
-bool is_ahead(const Cut& cut, const Vec3& place) {
+/// size  [m] of the body that is cut
+bool is_ahead(const Cut& cut, const Vec3& place, double size) {
   const Vec3 way = place - cut.point;
   const double along = way.dot(cut.normal);
-  return cut.radius > 0 ? (way - along * cut.normal).norm() > cut.radius * (1 + within) : along > 0;
+  return cut.radius > 0 ? (way - along * cut.normal).norm() > cut.radius * (1 + within) : along > size * within;
+}
+
+/// Diagonal of the box around some blocks. [m]
+double size_of(const Model& model, const std::vector<std::size_t>& blocks) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const std::size_t b : blocks)
+    for (const Index node : element::tiling(model.blocks[b]).node)
+      low = low.cwiseMin(model.mesh.X.col(node)), high = high.cwiseMax(model.mesh.X.col(node));
+  return (high - low).norm();
 }
 
 }  // namespace
 
 Section make_section(const Model& model, const std::string& name, const std::vector<std::size_t>& blocks, const Cut& cut) {
   Section section{name, cut.point, {}};
+  const double size = size_of(model, blocks);
   for (const std::size_t b : blocks) {
     const element::Tiling& tiling = element::tiling(model.blocks[b]);
     Section::Part part{b, {}, {}};
@@ -26,7 +38,7 @@ Section make_section(const Model& model, const std::string& name, const std::vec
       const std::size_t before = part.slots.size();
       for (Index slot = tile.first_node; slot < tile.first_node + tile.nodes; ++slot) {
         const Index node = tiling.node[static_cast<std::size_t>(slot)];
-        if (is_ahead(cut, model.mesh.X.col(node))) part.slots.push_back(slot), part.nodes.push_back(node);
+        if (is_ahead(cut, model.mesh.X.col(node), size)) part.slots.push_back(slot), part.nodes.push_back(node);
       }
       const bool all_ahead = part.slots.size() == before + static_cast<std::size_t>(tile.nodes);
       if (all_ahead) part.slots.resize(before), part.nodes.resize(before);  // their forces sum to nothing

@@ -354,6 +354,7 @@ const std::vector<Described>& described_summary() {
       {"provenance.resolved", "", "All values of the case in SI, each with unit and whether it is the default."},
       {"not_used", "", "Keys of the case that its kinds do not use."},
       {"notes", "", "Warnings and notes of the run, each a sentence."},
+      {"warnings", "", "Those of the notes that are warnings."},
   };
   return all;
 }

@@ -102,6 +102,23 @@ probes:
 time: {end: 10 us}
 """
 
+# The same body flies freely: the sheet of aluminium is pressed from both sides.
+FLIES = """bodies:
+  - name: b
+    mesh: {kind: file, path: block.vtu, scale: 1 mm}
+    material: {kind: elastic, density: 7850 kg/m^3, young: 210 GPa, poisson: 0.3}
+    materials: [{of: SHEET, material: {kind: elastic, density: 2700 kg/m^3, young: 70 GPa, poisson: 0.3}}]
+    element: {thickness: 1.5 mm}
+initial: [{body: b, velocity: ["1", "0", "0"], unit: m/s}]
+loads:
+  - {name: top, kind: pressure, surface: b.SHEET_top, value: 3, unit: kPa}
+  - {name: bottom, kind: pressure, surface: b.SHEET_bottom, value: 1, unit: kPa}
+probes: [{name: momentum, quantity: momentum, of: b, component: x}]
+time: {end: 10 us}
+"""
+AREA = 3e-4  # [m2] of the sheet, 30 mm by 10 mm across z; its normal is z
+MASS = 7850 * 2.5e-6 + 2700 * AREA * 1.5e-3  # [kg]
+
 
 def case_of(name, held, plate=False, region_array=""):
     """A body out of NAME.vtu that is held at node sets and falls."""
@@ -142,6 +159,10 @@ class Gmsh(unittest.TestCase):
             back = meshio.read(folder / "out/body/body_000000.vtu")
             self.assertEqual([(block.type, len(block.data)) for block in back.cells], [("hexahedron", 2)])
             self.assertEqual(back.points.max(), 2)  # [m]
+            done = subprocess.run([sys.executable, ROOT / "scripts/import_mesh", "out/body/body_000000.vtu", "again.vtu"], cwd=folder,
+                                  capture_output=True, text=True, timeout=PATIENCE)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("again.vtu: 12 nodes, 2 hexahedra\n", done.stdout)
 
     def test_decks_of_four_codes_are_one_body(self):
         said = set()
@@ -156,7 +177,21 @@ class Gmsh(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertRegex(done.stdout, r"(?s)\.BLOCK +14 +3 +0\.019625\n.*\.SHEET +8 +6 +0\.0035325\n20 nodes, 9 elements")
                 said.add(re.sub(r"forecast.*", "", done.stdout))
+                self.check_flight(folder)
         self.assertEqual(len(said), 1)
+
+    def check_flight(self, folder):
+        """The sheet has its own material and both its sides."""
+        (folder / "case.yaml").write_text(FLIES, encoding="utf-8")
+        subprocess.run([self.drivers / "scene", "case.yaml", "--out", "out", "--quiet"], cwd=folder, check=True, capture_output=True,
+                       timeout=PATIENCE)
+        summary = json.loads((folder / "out/summary.json").read_text(encoding="utf-8"))
+        time, accounts = summary["ending"]["time"]["value"], summary["ledger"]["accounts"]
+        for name, force in (("top", -3e3 * AREA), ("bottom", 1e3 * AREA)):
+            impulse = accounts[name]["impulse"]["value"]
+            for got, exact in zip(impulse, (0, 0, force * time)):
+                self.assertAlmostEqual(got / (force * time), exact / (force * time), delta=1e-5)
+        self.assertAlmostEqual(summary["results"]["momentum_last"]["value"] / MASS, 1, delta=1e-5)
 
     def run_case(self, folder, case):
         """(exit status, what it said on stderr, whether the nodes that are held carry something)."""

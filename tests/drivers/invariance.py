@@ -3,6 +3,7 @@
     python3 tests/drivers/invariance.py DRIVERS      DRIVERS: the folder with the programs
 """
 import csv
+import json
 import subprocess
 import sys
 import tempfile
@@ -29,6 +30,14 @@ probes:
   - {name: push, quantity: force, of: ground, component: z}
 time: {end: 1 ms}
 """
+# (case of the suite, settings, columns that must be compared)
+CARRIED = [
+    ("gauges/motion.yaml", [], ["swing_acceleration", "power", "speed_by_time"]),        # formulas of probes with a direction
+    ("gauges/bar.yaml", [], ["inclined", "across"]),                                     # gauges along a direction
+    ("two_materials/static.yaml", [], ["end", "joint", "far_stress"]),                   # sets: planes, a box, a cylinder, all_of
+    ("stretched_bar/strip.yaml", ["time.end=5 ms", "sections[0].point=[0.051 m, 0 m, 0 m]"],  # a table; a section beside all nodes
+     ["stress", "flow", "middle_force"]),
+]
 # A program that forgets to turn the gravity of a case that was turned.
 DEFECT = """#!/bin/sh
 case "$1" in
@@ -68,6 +77,19 @@ class Invariance(unittest.TestCase):
         self.assertIn(verdicts["resumed"], ("same", "skipped"))  # where the machine is fast, it ends before it can be stopped
         self.assertEqual(verdicts["half_step"], "shown", said)
         self.assertEqual((verdicts["automatic"], rows["automatic"]["because"]), ("skipped", "it has no declared contact"))
+
+    def test_sets_gauges_formulas_and_tables_are_carried(self):
+        for name, settings, compared in CARRIED:
+            with self.subTest(case=name):
+                self.case = ROOT / "verification" / name
+                status, said, rows = self.ask("--only", "rotated", "--only", "mirrored", *(word for one in settings
+                                                                                           for word in ("--set", one)))
+                self.assertEqual(status, 0, said)
+                self.assertEqual({change: row["verdict"] for change, row in rows.items()}, dict.fromkeys(("rotated", "mirrored"), "same"))
+                self.assertEqual({row["because"] for row in rows.values()}, {""}, said)
+                told = json.loads((self.root / "out/cases" / f"{name.replace('/', '_').removesuffix('.yaml')}.json").read_text())
+                for row in told:
+                    self.assertLessEqual(set(compared), set(row["all"]), said)
 
     def test_a_case_of_stages_needs_no_time_of_its_own(self):
         self.case.write_text(CASE.replace("time: {end: 1 ms}", "stages: [{name: strike, duration: 1 ms}]"), encoding="utf-8")

@@ -71,12 +71,16 @@ CASES = {
     "a mesh from a file": ("invariance_scenes/strike.yaml", {}),
     "three fluids, a wave that comes and goes, a tie that slides": ("invariance_scenes/splash.yaml", {}),
     "a section, a table, a pair that touched": ("../tests/drivers/cases/pushed.yaml", {}),
+    "accelerations and a formula": ("gauges/motion.yaml", {}),
+    "forces of a pair": ("pair_forces/slide.yaml", {}),
+    "materials of parts": ("two_materials/case.yaml", {}),
+    "a measured curve in plates": ("stretched_bar/strip.yaml", {"time.end": "5 ms"}),
 }
 # what some case must hold, as its summary has it: a section, and values of one item in it
 KINDS = [
     "bodies material.kind=elastic", "bodies material.kind=neo_hookean", "bodies material.kind=johnson_cook",
     "bodies material.kind=linear_fluid", "bodies material.kind=mie_gruneisen", "bodies material.kind=ideal_gas",
-    "bodies material.hardening=isotropic",
+    "bodies material.kind=j2_curve", "bodies materials", "bodies sets", "bodies material.hardening=isotropic",
     "bodies material.hardening=kinematic", "bodies material.hardening=mixed", "bodies rigid=True", "bodies mesh.kind=file",
     "bodies element.kind=full", "bodies element.hourglass_kind=assumed_strain", "bodies element.hourglass_kind=stiffness",
     "bodies element.hourglass_kind=viscous", "bodies element.rotary_inertia=scaled", "bodies element.rotary_inertia=physical",
@@ -91,6 +95,7 @@ KINDS = [
     "planes kind=rigid method=penalty friction=0.2",
     "loads kind=pressure", "loads kind=force", "loads kind=moment", "loads kind=body_force", "loads kind=radiation",
     "springs to=ground", "springs to=upper.corner", "point_masses", "initial", "stages", "sections",
+    "probes quantity=acceleration", "probes value", "probes between", "probes near",
     "stop dipped", "stop steady", "stop rest", "touched sides=['strip', 'strip']", "ending word=stopped_by_condition",
 ]
 # of the cases, all kinds of elements and of contact; none so chaotic that round-off grows, none with a file that needs VTK

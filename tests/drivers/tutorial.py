@@ -18,19 +18,25 @@ PAGE = ROOT / "docs/tutorial.md"
 CASES = ROOT / "cases/tutorial"
 UNITS = {"N": 1, "kN": 1e3, "N s": 1, "ms": 1e-3, "mm": 1e-3, "mm²": 1e-6, "m/s": 1, "m/s²": 1, "MPa": 1e6, "µm/m": 1e-6, "": 1}
 WARNS = {"crushed_tube"}
+HEAD, RULE = "| result | value | within | check |", "|---|---|---|---|"
 
 
 def tables(text):
-    """{case: [(result, value in SI, part of it within which a run must be)]} of the page."""
-    found, case = {}, None
-    for line in text.splitlines():
+    """{case: [(result, value in SI, part of it within which a run must be)]} of the page; every row of its tables has a result."""
+    found, case, in_table = {}, None, False
+    for number, line in enumerate(text.splitlines(), start=1):
         run = re.match(r" {4}build/release/drivers/scene cases/tutorial/(\w+)\.yaml", line)
-        row = re.match(r"\| `(\w+)` \| (-?[\d.]+) ?([^|]*) \| ([\d.]+) % \|", line)
+        row = re.match(r"\| `(\w+)` \| (-?[\d.]+) ?([^|]*) \| ([\d.]+) % \| [^|]+ \|$", line)
         if run:
             case = run.group(1)
-        elif row:
-            result, value, unit, within = row.groups()
-            found.setdefault(case, []).append((result, float(value) * UNITS[unit.strip()], float(within) / 100))
+        in_table = line == HEAD or in_table and line.startswith("|")
+        if not in_table or line in (HEAD, RULE):
+            continue
+        if not row or row.group(3).strip() not in UNITS:
+            raise AssertionError(f"{PAGE.name}:{number}: '{line}' is no row: expected is '{HEAD}', the value with one of the units "
+                                 f"{', '.join(unit for unit in UNITS if unit)}")
+        result, value, unit, within = row.groups()
+        found.setdefault(case, []).append((result, float(value) * UNITS[unit.strip()], float(within) / 100))
     return found
 
 
@@ -53,6 +59,13 @@ class Tutorial(unittest.TestCase):
         (self.folder / "out").mkdir()
         subprocess.run([sys.executable, ROOT / "scripts/import_mesh", CASES / "bracket.inp", self.folder / "out/bracket.vtu"], check=True,
                        stdout=subprocess.DEVNULL)
+
+    def test_a_row_that_is_none_is_a_fault(self):
+        page = "    build/release/drivers/scene cases/tutorial/a.yaml\n\n" + f"{HEAD}\n{RULE}\n" + "| `x` | -1.5 ms | 2 % | none |\n"
+        self.assertEqual(tables(page + "\n| other | table |\n"), {"a": [("x", -1.5e-3, 0.02)]})
+        for row in ("| x | 1 ms | 2 % | none |", "| `x` | 1 ms | 2 | none |", "| `x` | 1 parsec | 2 % | none |", "| `x` | 1 ms | 2 % |"):
+            with self.subTest(row=row), self.assertRaisesRegex(AssertionError, "tutorial.md:6: '.*is no row"):
+                tables(page + row)
 
     def test_every_case_has_a_table_with_three_results_or_more(self):
         found = tables(PAGE.read_text(encoding="utf-8"))

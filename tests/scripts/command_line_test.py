@@ -138,7 +138,7 @@ TABLE = [
     ("view.py", "{run} --range {one}", "--range", ("nan 1", "2 1")), ("view.py", "{run} --opacity={one}", "from 0 to 1", ("nan",)),
     ("view.py", "{run} --cut-at {one}", FINITE, NO_FINITE), ("view.py", "{run} --hide nosuch", "no body is called 'nosuch'"),
     ("view.py", "{run} --only nosuch", "no body is called 'nosuch'"), ("view.py", "{run} --cut nosuch", "no body is called 'nosuch'"),
-    ("view.py", "{run} --only a --hide a", "not allowed with"),
+    ("view.py", "{run} --only a --hide a", "not allowed with"), ("view.py", "{run} --hide bar", "there is no other body"),
     ("paraview_run.py", "nosuch", NO_FOLDER), ("paraview_run.py", "{there}", "lists no frame"),
     ("paraview_run.py", "{run} --picture {there}", "expected is a file"), ("paraview_run.py", "{run} --time={one}", FINITE, NO_FINITE),
     ("view.py", "{run} --size {one}", "--size", ("0 1", "99999 1")), ("view.py", "{run} --out {there}", "expected is a file"),
@@ -166,7 +166,8 @@ def made_up_run(folder):
     """A folder with a frame of a body."""
     (folder / "body.pvd").write_text('<VTKFile><Collection><DataSet timestep="0" file="0.vtu"/></Collection></VTKFile>', encoding="utf-8")
     components = " ".join(f'ComponentName{i}="{name}"' for i, name in enumerate(("XX", "YY", "ZZ", "XY", "YZ", "XZ")))
-    (folder / "0.vtu").write_text('<VTKFile><PointData><DataArray Name="displacement" NumberOfComponents="3"/></PointData><CellData>'
+    (folder / "0.vtu").write_text('<VTKFile><FieldData><DataArray Name="bar" NumberOfTuples="2"/></FieldData><PointData>'
+                                  '<DataArray Name="displacement" NumberOfComponents="3"/></PointData><CellData>'
                                   f'<DataArray Name="stress" NumberOfComponents="6" {components}/></CellData></VTKFile>', encoding="utf-8")
 
 

@@ -23,6 +23,7 @@ import mesh_files  # noqa: E402
 
 try:
     import meshio
+    import numpy as np
 except ImportError:
     meshio = None
 
@@ -108,7 +109,17 @@ class Equal(Import):
 
     def test_examples_of_the_modules(self):
         for module in (import_abaqus, import_cells, import_deck):
-            self.assertEqual(doctest.testmod(module).failed, 0)
+            done = doctest.testmod(module)
+            self.assertEqual((done.failed, done.attempted > 0), (0, True))
+
+    def test_a_mark_of_the_order_of_bytes_is_passed_over(self):
+        for ending, text in ((".inp", ABAQUS + HEXAHEDRON), (".k", DYNA + SOLID), ("_0000.rad", RADIOSS + BRICK)):
+            self.assertEqual(self.read(ending, "\ufeff" + text)[0], self.read(ending, text)[0])
+
+    def test_nodes_near_each_other_are_at_one_place_also_at_the_edge_of_a_bin(self):
+        for x, far, expected in ((0.5, 0.9, 1), (0.5 + 0.5e-8, 0.9, 1), (0.5 - 1e-13, 0.9, 1), (0.5, 1.1, 2), (0.5 + 0.5e-8, 1.1, 2)):
+            points = {0: (1.0, 0.0, 0.0), 1: (x, 0.25, -0.125), 2: (x + far * import_cells.NEAR, 0.25, -0.125)}
+            self.assertEqual(import_cells.first_at_place(points), {0: 0, 1: 1, 2: expected}, (x, far))
 
 
 class Abaqus(Import):
@@ -133,6 +144,15 @@ class Abaqus(Import):
         x = [round(a, 9) for point in self.cells(mesh, "I_2_A")[0] for a in point[:1]]
         self.assertEqual((min(x), max(x)), (3, 4))  # turned from x = 4...5 about z
         self.assertIn("the region 'I-1_A' is now 'I_1_A'", out)
+        lower, _ = self.read(".inp", deck.replace("I-", "arm-"))
+        self.assertEqual((set(lower.groups), "arm_1_LOW" in lower.sets), ({"arm_1_A", "arm_2_A", "F"}, True))
+        lonely = part.replace("*ELEMENT", "*NODE\n9, 5, 5, 5\n*ELEMENT")
+        _, out = self.read(".inp", lonely + "*INSTANCE, NAME=I-1, PART=P\n*END INSTANCE\n")
+        self.assertIn("1 node is left out, since no element has it: I-1.9", out)
+        turned = "*INSTANCE, NAME=I-1, PART=P\n0,0,0\n1,0,0, 1,0,0, 90\n*END INSTANCE\n"
+        self.refused(".inp", part.replace("1,1,2,3,4", "1,1,2,3,99") + turned,
+                     "deck.inp:12: element 1 has the node I-1.99, which is not there",
+                     "deck.inp:19: the two points of the axis of *INSTANCE coincide")
 
     def test_files_that_are_included_stand_in_their_places(self):
         (self.folder / "nodes.txt").write_text("".join(ABAQUS.splitlines(True)[1:]), encoding="utf-8")
@@ -156,7 +176,7 @@ class Abaqus(Import):
         self.assertEqual(len(self.places(mesh, "MIXED_plates")), 4)
         self.assertEqual(set(mesh.sets), {"N", "ON_NODES", "PLATES", "RIM", "U", "MIXED_plates"})
         self.assertIn("the node set 'S' has the nodes of the region 'S'", out)
-        self.assertIn("1 internal element set", out)
+        self.assertIn("1 internal element set of a surface is not written as sets of nodes", out)
 
     def test_damage_is_told_with_its_line(self):
         self.refused(".inp", ABAQUS + "*ELEMENT, TYPE=C3D8\n1,1,2,3,4,5,6,7\n2,1,2,3,4,5,6,7,88\n3,1,2,x,4,5,6,7,8\n",
@@ -170,6 +190,9 @@ class Abaqus(Import):
                      "deck.inp:16: element 1 has no face 'S7'", "deck.inp:17: *NGEN changes the mesh", "deck.inp:20: '1' is no range")
         self.refused(".inp", "1,2,3\n*NODE, SYSTEM=C\n", "deck.inp:1: data without a keyword", "deck.inp:2: *NODE in cylindrical")
         self.refused(".inp", "*HEADING\n", "deck.inp: it has no elements")
+        self.refused(".inp", ABAQUS + HEXAHEDRON + "*NSET, NSET=N\n²\n*SURFACE, NAME=F\n²\n*ELEMENT, TYPE=B31, ELSET=B\n²,1,2\n",
+                     "deck.inp:13: there is no node set '²'", "deck.inp:15: there is no element set '²'",
+                     "deck.inp:17: 1 element of the type B31 (²)")
         self.refused(".inp", ABAQUS + HEXAHEDRON + "*ELSET, ELSET=B\nC\n*ELSET, ELSET=C\nB\n", "deck.inp:12: the set 'B' contains itself",
                      "deck.inp:14: the set 'C' contains itself")
 
@@ -214,6 +237,44 @@ class Dyna(Import):
         self.assertIn("*SET_SOLID_GENERAL: at deck.k", out)
         self.assertIn("*ELEMENT_SHELL_THICKNESS: thickness", out)
 
+    def test_lines_behind_an_element_may_be_blank(self):
+        first, second = columns(8, 1, 1, *CUBE), columns(8, 2, 1, *(n + 8 for n in CUBE))
+        nodes = DYNA + "".join(f"{n + 8:8d}{x + 3:16d}{y:16d}{z:16d}\n" for n, (x, y, z) in CUBE.items())
+        plain, _ = self.read(".k", nodes + "*ELEMENT_SOLID\n" + first + second)
+        for option, lines in (("_BETA", 1), ("_ORTHO", 2)):
+            for behind in ("\n", "\n" * 3):  # of the last element, and blank lines behind it
+                deck = nodes + f"*ELEMENT_SOLID{option}\n" + first + "\n" * lines + second + "\n" * (lines - 1) + behind
+                self.assertEqual(self.read(".k", deck)[0], plain, option)
+        two = "".join(columns(8, 1 + i, 1) + columns(8, *(n + 8 * i for n in CUBE)) + "\n" for i in (0, 1))
+        self.assertEqual(self.read(".k", nodes + "*ELEMENT_SOLID_BETA\n" + two)[0], plain)
+        first, second = columns(8, 1, 1, 1, 2, 3, 4), columns(8, 2, 1, 5, 6, 7, 8)
+        plain, _ = self.read(".k", DYNA + "*ELEMENT_SHELL\n" + first + "\n" + second)
+        for option, lines in (("_THICKNESS", 1), ("_BETA", 1), ("_MCID", 1), ("_OFFSET", 1), ("_DOF", 1), ("_THICKNESS_OFFSET", 2)):
+            deck = DYNA + f"*ELEMENT_SHELL{option}\n" + first + "\n" * lines + second + "\n" * lines
+            self.assertEqual(self.read(".k", deck)[0], plain, option)
+        self.refused(".k", DYNA + "*ELEMENT_SHELL_BETA\n" + first + "\n" + second,
+                     "deck.k:14: behind element 2 of *ELEMENT_SHELL_BETA stand 0 lines; expected are 1")
+
+    def test_only_keywords_of_parts_give_parts(self):
+        for keyword in ("*PART_MOVE", "*PART_DUPLICATE"):
+            self.refused(".k", DYNA + SOLID + f"{keyword}\n" + columns(10, 1, 1, 1),
+                         f"deck.k:13: {keyword} changes the mesh and is not read")
+        mesh, out = self.read(".k", DYNA + SOLID + "*PART_ADAPTIVE_FAILURE\n" + columns(10, 1, 1) + "*PART_SENSOR\n" + columns(10, 1, 2)
+                              + "*PART_COMPOSITE\nlayers\n" + columns(10, 1, 16, 0.833))
+        self.assertEqual(list(mesh.groups), ["layers"])
+        self.assertIn("layers: 1 hexahedron (part 1, composite)\n", out)
+        for keyword in ("*PART_ADAPTIVE_FAILURE", "*PART_SENSOR"):
+            self.assertIn(f"    {keyword}: at deck.k", out)
+
+    def test_a_set_may_have_elements_that_are_left_out_and_nothing_else(self):
+        beam = DYNA + SOLID + "*ELEMENT_SHELL\n" + columns(8, 9, 1, 1, 2, 3, 4, 5, 6, 7, 8)
+        mesh, _ = self.read(".k", beam + "*SET_SHELL_LIST\n" + columns(10, 2) + columns(10, 9) + "*SET_NODE_LIST\n" + columns(10, 3)
+                            + columns(10, 8), "--without-others")
+        self.assertEqual(list(mesh.sets), ["nodes_3"])
+        for what in ("NODE", "SOLID", "PART"):
+            self.refused(".k", beam + f"*SET_{what}_LIST\n" + columns(10, 2) + columns(10, 9),
+                         f"deck.k:17: there is no {what.lower()} 9, which a set has", options=("--without-others",))
+
     def test_plates_on_faces_of_solids_keep_both_readings_open(self):
         deck = DYNA + SOLID + "*ELEMENT_SHELL\n" + columns(8, 1, 2, 5, 6, 7, 8) \
             + "*SET_SEGMENT\n" + columns(10, 5) + columns(10, 1, 2, 6, 5)
@@ -229,8 +290,10 @@ class Dyna(Import):
     def test_includes_and_damage(self):
         (self.folder / "sub").mkdir()
         (self.folder / "sub/nodes.k").write_text(DYNA, encoding="utf-8")
-        mesh, _ = self.read(".k", "*INCLUDE_PATH_RELATIVE\nsub\n*INCLUDE\nno +\ndes.k\n".replace("no +\ndes", "nodes") + SOLID)
+        mesh, _ = self.read(".k", "*INCLUDE_PATH_RELATIVE\nsub\n*INCLUDE\nno +\ndes.k\n\n" + SOLID)
         self.assertEqual(len(mesh.points), 8)
+        self.refused(".k", DYNA + SOLID + "*INCLUDE\n\n*INCLUDE\n", "deck.k:13: includes a file without a name",
+                     "deck.k:15: includes a file without a name")
         self.refused(".k", DYNA.replace("\n       8 ", "\n        8 ") + SOLID,  # a column too far to the right
                      "deck.k:10: '' is no number of a node; see the widths", "deck.k:12: element 1 has the node 8, which is not there")
         self.refused(".k", DYNA + SOLID.replace("       8\n", "      8x\n") + "*NODE_TRANSFORM\n",
@@ -260,7 +323,8 @@ class Radioss(Import):
                                                                                  "nodes_5": 8, "shells": 4, "plates": 4, "of_lid": 4})
         self.assertEqual({name: len(self.cells(mesh, name)) for name in mesh.groups},
                          {"cube": 1, "plate": 1, "skin_surface": 6, "lid": 1, "same": 1})
-        self.assertEqual({p[0] for p in self.places(mesh, "odd")} | {0}, {0, 1})
+        self.assertEqual(self.places(mesh, "odd"), sorted(CUBE[n] for n in (1, 3, 5, 7)))
+        self.assertEqual(self.places(mesh, "even"), sorted(CUBE[n] for n in (2, 4, 6, 8)))
         self.assertIn("/GRNOD/BOX: at deck_0000.rad", out)
         self.assertIn("the surface 'skin' is now 'skin_surface'", out)
 
@@ -279,6 +343,18 @@ class Radioss(Import):
         self.refused("_0000.rad", RADIOSS + BRICK + "/GRNOD/NODE/1\nx\n" + columns(10, 77) + "/SURF/SURF/2\ny\n" + columns(10, 2),
                      "deck_0000.rad:14: there is no node 77", "deck_0000.rad:15: /SURF 2 contains itself")
 
+    def test_elements_of_several_lines_count_once(self):
+        bric20 = "/BRIC20/1\n" + columns(10, 7, *range(1, 9)) + columns(10, *range(1, 9)) + columns(10, *range(1, 5))
+        self.refused("_0000.rad", RADIOSS + BRICK + bric20 + "/TETRA10/2\n" + columns(10, 8) + columns(10, *CUBE, 1, 2),
+                     "deck_0000.rad:13: 1 element of the type /BRIC20 (7)", "deck_0000.rad:17: 1 element of the type /TETRA10 (8)")
+        group = "/GRBRIC/BRIC/1\nx\n" + columns(10, 7)
+        self.read("_0000.rad", RADIOSS + BRICK + bric20 + group, "--without-others")
+        self.refused("_0000.rad", RADIOSS + BRICK + "/BEAM/1\n" + columns(10, 7, 1, 2) + group,
+                     "deck_0000.rad:16: there is no element 7 of /BRICK", options=("--without-others",))
+
+    def test_numbers_of_other_scripts_than_digits_are_names(self):
+        self.refused("_0000.rad", RADIOSS + BRICK + "/GRNOD/NODE/²\nx\n" + columns(10, 1), "deck_0000.rad:12: /GRNOD/NODE/² has no number")
+
 
 @unittest.skipIf(meshio is None, "Python has no meshio")
 class Gmsh(Import):
@@ -290,14 +366,36 @@ class Gmsh(Import):
                               "4 3 2 2 1 6 9 10 7\n5 15 2 4 1 1\n$EndElements\n")
         self.assertEqual(set(mesh.groups), {"steel", "end", "end_on_solids"})
         self.assertEqual({name: sum(flags) for name, flags in mesh.sets.items()}, {"points_4": 1, "region_7": 8})
-        self.assertIn("of 'end', 1 triangles and quadrilaterals lie on faces of solids", out)
-        self.assertIn("1 elements of the group 'region_7' are in another group, too", out)
+        self.assertIn("of 'end', 1 quadrilateral lies on faces of solids: the surface 'end_on_solids'; the others are plates", out)
+        self.assertIn("1 element of the group 'region_7' is in another group, too", out)
 
     def test_damage(self):
         self.refused(".msh", self.NODES + "1\n1 5 2 1 1 1 2 3 4 5 6 7 11\n$EndElements\n", "deck.msh: meshio does not read it")
         self.refused(".msh", self.NODES + "1\n1 9 2 1 1 1 2 3 4 5 6\n$EndElements\n",
                      "deck.msh, element 1: 1 element of the type triangle6")
         self.refused(".msh", "nonsense", "deck.msh: meshio does not read it as a format")
+        cube = "1\n1 5 2 1 1 1 2 3 4 5 6 7 8\n$EndElements\n"
+        for word in ("nan", "inf"):
+            self.refused(".msh", self.NODES.replace("8 0 1 1\n", f"8 0 {word} 1\n") + cube,
+                         "deck.msh: node 8 has a coordinate that is no finite number")
+
+    def test_arrays_of_a_whole_file_need_not_be_groups(self):
+        path = self.folder / "frame.vtu"
+        cells = [("hexahedron", [[0, 1, 2, 3, 4, 5, 6, 7]])]
+        for pair in ([1], [1, 2, 3], [0.5, 3.0]):
+            meshio.Mesh([[float(x) for x in point] for point in CUBE.values()], cells, field_data={"whole": np.array(pair)}).write(path)
+            text = path.read_text(encoding="utf-8")
+            status, _, err, mesh = self.start(path)
+            self.assertEqual((status, err, list(mesh.groups)), (0, "", ["solids"]), text[:300])
+
+    def test_polyhedra_are_elements_of_another_type(self):
+        path = self.folder / "cells.vtu"
+        faces = [[[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]]
+        points = [[float(x) for x in point] for point in CUBE.values()]
+        meshio.Mesh(points, [("polyhedron8", faces)]).write(path)
+        status, _, err, _ = self.start(path)
+        self.assertEqual(status, 2)
+        self.assertIn("cells.vtu, element 1: 1 element of the type polyhedron8 (1)", err)
 
 
 class Names(Import):
@@ -316,8 +414,21 @@ class Names(Import):
         mesh, _ = self.read(".inp", (DECKS / "block.inp").read_text(encoding="utf-8"), "--only", "BLOCK")
         self.assertEqual((set(mesh.groups), len(mesh.points)), ({"BLOCK", "LOAD"}, 14))
         self.assertNotIn("EDGE", mesh.sets)
-        named = ABAQUS + HEXAHEDRON.replace("=A", "=a b")
-        self.assertEqual(self.read(".inp", named, "--only", "a_b")[0], self.read(".inp", named, "--only", "a b")[0])
+        named = ABAQUS + "*NODE\n9, 2, 0, 1\n10, 2, 1, 1\n" + HEXAHEDRON.replace("=A", "=a b") \
+            + "*ELEMENT, TYPE=S4, ELSET=S\n2,6,9,10,7\n"
+        for name in ("a_b", "a b"):
+            self.assertEqual((list(self.read(".inp", named, "--only", name)[0].groups)), ["a_b"])
+
+    def test_what_only_leaves_out_is_listed(self):
+        deck = ABAQUS + "*NODE\n9, 2, 0, 1\n10, 2, 1, 1\n" + HEXAHEDRON + "*ELEMENT, TYPE=S4, ELSET=S\n2,6,9,10,7\n" \
+            "*NSET, NSET=TIP\n9,10\n*SURFACE, NAME=F\nS, SPOS\nA, S2\n"
+        self.assertIn("all of the file is taken over", self.read(".inp", deck)[1])
+        out = self.read(".inp", deck, "--only", "A")[1]
+        self.assertNotIn("all of the file", out)
+        self.assertIn("not taken over:\n    1 face of the surface 'F': at deck.inp:19\n    the node set 'TIP': at deck.inp:17\n"
+                      "    the part 'S' (1 quadrilateral): at deck.inp:16\n", out)
+
+    def test_a_part_that_is_not_there_is_a_fault(self):
         self.refused(".inp", ABAQUS + HEXAHEDRON, "--only B: there is no such part; there are: A", options=("--only", "B"))
 
 

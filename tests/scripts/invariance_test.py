@@ -129,6 +129,61 @@ class CarriedTest(unittest.TestCase):
             _, skipped = changes.with_components({"probes": [self.probe(quantity, "xx", **more)]}, turn, velocity)
             self.assertIn("p", skipped)
 
+    def formula_of(self, matrix, probe, values, velocity=None):
+        """What `p + 1` has in the twin, whose probes have these values at the time 2 s; it is 1 more than p in the base."""
+        tree = {"probes": [probe, {"name": Quantity("f"), "value": Quantity("p + 1")}]}
+        _, skipped = changes.with_components(tree, matrix, velocity)
+        self.assertEqual(skipped, {})
+        *_, image, formula = tree["probes"]
+        self.assertEqual((image["name"].value, formula["name"].value), ("p", "f"))
+        parts = dict(zip((one["name"].value for one in tree["probes"]), values))
+        return eval(image["value"].value.replace("^", "**"), {"sqrt": math.sqrt, "t": 2.0}, parts) + 1  # pylint: disable=eval-used
+
+    def test_formulas_have_what_they_have_in_the_base(self):
+        turn, mirror, v = twins.rotation((1, -2, 0.7), 2.1), twins.reflection((0.3, 0.4, 0.5)), [1.0, -2.0, 3.0]
+        self.assertAlmostEqual(self.formula_of(turn, self.probe("acceleration"), twins.product(turn, v)), -1.0)
+        self.assertAlmostEqual(self.formula_of(mirror, self.probe("angular_velocity"), [-x for x in twins.product(mirror, v)]), -1.0)
+        self.assertAlmostEqual(self.formula_of(turn, self.probe("stress", "xz"), twins.tensor(turn, [1, 2, 3, 4, 5, 6])), 7.0)
+        self.assertAlmostEqual(self.formula_of(twins.IDENTITY, self.probe("displacement"), [1, 2, 3], [10, 20, 30]), -37.0)
+        self.assertAlmostEqual(self.formula_of(twins.IDENTITY, self.probe("velocity", "magnitude"), [13, 24, 30], [10, 20, 30]), 6.0)
+
+    def test_formulas_of_what_is_not_compared_are_not_compared(self):
+        tree = {"probes": [self.probe("extent"), {"name": Quantity("f"), "value": Quantity("2*p")},
+                           {"name": Quantity("g"), "value": Quantity("f/3")}, {"name": Quantity("h"), "value": Quantity("3*t")}]}
+        _, skipped = changes.with_components(tree, twins.rotation((1, -2, 0.7), 2.1))
+        self.assertEqual(sorted(skipped), ["f", "g", "p"])
+        contact = {"probes": [{**self.probe("force"), "of": Quantity("touch")}, *tree["probes"][1:]]}
+        self.assertEqual(sorted(changes.without_probes_of(contact, {"touch"})), ["f", "g", "p"])
+        self.assertEqual([one["name"].value for one in contact["probes"]], ["h"])
+
+    def test_a_direction_of_a_gauge_needs_no_components(self):
+        gauge = {"name": Quantity("p"), "quantity": Quantity("strain"), "along": Quantity([1.0, 0.0, 0.0], "1"),
+                 "near": Quantity([1.0, 2.0, 0.0], "m")}
+        body = {"name": Quantity("bar"), "mesh": {"kind": Quantity("box")}}
+        twin = twins.moved({"bodies": [body], "probes": [gauge]}, twins.rotation((0, 0, 1), math.pi / 2))
+        probes, skipped = changes.with_components(twin, twins.rotation((0, 0, 1), math.pi / 2))
+        self.assertEqual((probes, skipped, len(twin["probes"])), ({}, {}, 1))
+        for key, exact in (("along", [0, 1, 0]), ("near", [-2, 1, 0])):
+            for got, expected in zip(twin["probes"][0][key].value, exact):
+                self.assertAlmostEqual(got, expected)
+
+    def test_zones_of_sets_turn(self):
+        def set_of(kind, **keys):
+            return {"name": Quantity("pad"), kind: {key: Quantity(value, "m") for key, value in keys.items()}}
+
+        sets = [set_of("cylinder", **{"from": [0.0, 0.0, 0.0], "to": [1.0, 0.0, 0.0]}, radius=0.5),
+                set_of("sphere", centre=[1.0, 0.0, 0.0]), set_of("plane", point=[1.0, 0.0, 0.0], normal=[1.0, 0.0, 0.0]),
+                set_of("box", low=[0.0, 0.0, 0.0], high=[1.0, 2.0, 3.0])]
+        tree = {"bodies": [{"name": Quantity("bar"), "mesh": {"kind": Quantity("box")}, "sets": sets}]}
+        cylinder, ball, plane, *half_spaces, box = twins.moved(tree, twins.rotation((0, 0, 1), math.pi / 2), (0, 0, 5))["bodies"][0]["sets"]
+        found = [*cylinder["cylinder"]["from"].value, *cylinder["cylinder"]["to"].value, *ball["sphere"]["centre"].value,
+                 *plane["plane"]["normal"].value, *half_spaces[1]["half_space"]["point"].value,
+                 *half_spaces[1]["half_space"]["normal"].value]
+        for got, expected in zip(found, [0, 0, 5, 0, 1, 5, 0, 1, 5, 0, 1, 0, -2, 1, 8, 0, -1, 0]):
+            self.assertAlmostEqual(got, expected)
+        self.assertEqual((len(half_spaces), box["name"].value, len(box["all_of"].value)), (6, "pad", 6))
+        self.assertEqual(cylinder["cylinder"]["radius"].value, 0.5)
+
     def test_a_frame_moves_along_all_planes(self):
         way = changes.across([(0, 0, 2), (0, 0, -1), (1, 0, 0)])
         self.assertAlmostEqual(abs(way[1]), 1.0)

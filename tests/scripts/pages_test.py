@@ -37,8 +37,11 @@ cd out && ls
 ![drawn](figures/bar.svg) ![not drawn](figures/other.svg)
 """
 TREE = {
-    "README.md": PAGE.replace("figures/", "docs/figures/"), "cases/bar.yaml": "", "drivers/driver.cpp": '"--out" "--resume"',
-    "scripts/look": "#!/usr/bin/python3\nimport deeper\n", "scripts/deeper.py": "parser.add_argument('--deep')\nwrite('bar.svg')\n",
+    "README.md": PAGE.replace("figures/", "docs/figures/"), "cases/bar.yaml": "",
+    "drivers/driver.cpp": 'if (word == "--keys") app.add_option("--out,-o", out); app.add_flag("--resume", yes)',
+    "scripts/look": "#!/usr/bin/python3\nimport deeper\n",
+    "scripts/deeper.py": "parser.add_argument('-d', '--deep')\nrun(['two', '--wide'])  # --wide\nwrite('bar.svg')\n",
+    "scripts/shell": "#!/bin/bash\ncase $1 in\n  --short|--long) ;;\nesac\nif [ \"$2\" = --last ]; then\n  tool --other\nfi\n",
     "docs/figures/bar.svg": "", "docs/figures/other.svg": "", "docs/figures/spare.png": "",
 }
 
@@ -77,10 +80,14 @@ class PagesTest(unittest.TestCase):
 
     def test_what_is_not_there(self):
         self.assertEqual(self.faults(1, "scripts/look out/bar --deep 1 && build/release/drivers/scene cases/bar.yaml --resume"), [])
+        self.assertEqual(self.faults(1, "scripts/shell --long --short --last && build/release/drivers/scene --keys"), [])
         for text, says in (("scripts/gone", "docs/page.md:7: 'scripts/gone' does not exist"),
                            ("build/release/drivers/scene cases/gone.yaml", "'cases/gone.yaml' does not exist"),
                            ("build/release/drivers/gone cases/bar.yaml", "is no program"),
                            ("scripts/look out/bar --wide", "'scripts/look' has no option '--wide'"),
+                           ("scripts/look out/bar --dee", "'scripts/look' has no option '--dee'"),
+                           ("scripts/shell --sho", "has no option '--sho'"), ("scripts/shell --other", "has no option '--other'"),
+                           ("build/release/drivers/scene CASE.yaml --resum", "has no option '--resum'"),
                            ("build/release/drivers/scene CASE.yaml --wide=1", "has no option '--wide'")):
             with self.subTest(text=text):
                 (fault,) = self.faults(7, text)
@@ -106,17 +113,32 @@ class PagesTest(unittest.TestCase):
         found = [command("docs/page.md", 1, "echo one > made && test -e build/release/drivers", 0),
                  command("docs/page.md", 2, "test -f made && exit 3", 3), command("docs/page.md", 3, "echo bad >&2; exit 4", 0),
                  command("docs/page.md", 4, "never", 0), command("docs/page.md", 5, "nowhere", 0), command("docs/page.md", 6, "sleep 9", 0),
-                 command("docs/page.md", 7, "either", 0)]
+                 command("docs/page.md", 7, "either", 0), command("docs/page.md", 8, "wrong", 0)]
         plans = {"never": instead("", "takes hours"), "nowhere": instead("exit 1", "a program", needs="no-such-program"),
-                 "either": instead("exit 2", "may differ", (0, 2))}
+                 "either": instead("echo bad: DIFFERS; exit 2", "may differ", (0, 2), says="DIFFERS$"),
+                 "wrong": instead("echo DIFFERS >&2; exit 2", "may differ", (0, 2), says="DIFFERS$")}
         with mock.patch.object(page_commands, "COMMANDS", plans), contextlib.redirect_stdout(io.StringIO()) as said:
             faults = PAGES["run_page"](found, self.root, self.root / "drivers", 0.5)
-        self.assertEqual([fault.split(": ")[0] for fault in faults], ["docs/page.md:3", "docs/page.md:6"])
+        self.assertEqual([fault.split(": ")[0] for fault in faults], ["docs/page.md:3", "docs/page.md:6", "docs/page.md:8"])
+        self.assertIn("expected is 0 or 2, with 'DIFFERS$' in its output", faults[2])
         self.assertIn("ends with status 4, expected is 0: bad", faults[0])
         self.assertIn("longer than 0.5 s", faults[1])
         self.assertIn("never (takes hours)", said.getvalue())
         self.assertIn("nowhere (no-such-program is not installed)", said.getvalue())
         self.assertFalse((self.root / "made").exists())
+
+    def test_what_may_fail_has_words_by_which_it_is_known(self):
+        command, instead = PAGES["Command"]("docs/page.md", 1, "either", 0), page_commands.Instead
+        for plan, count in ((instead("exit 2", "", (0, 2)), 1), (instead("exit 2", "", (0, 2), says="x"), 0), (instead("", ""), 0)):
+            with mock.patch.object(page_commands, "COMMANDS", {"either": plan}):
+                self.assertEqual(len(PAGES["table_faults"]([command])), count)
+
+    def test_without_a_page_of_ci_nothing_runs(self):
+        with mock.patch.object(page_commands, "CI", ("gone.md",)), contextlib.redirect_stderr(io.StringIO()) as said:
+            with self.assertRaises(SystemExit) as end:
+                PAGES["main"](["--ci", "--list"])
+        self.assertEqual(end.exception.code, 2)
+        self.assertIn("none of its pages is there: gone.md", said.getvalue())
 
     def test_the_pages_of_this_tree_have_no_fault_that_shows_without_a_run(self):
         with contextlib.redirect_stdout(io.StringIO()) as said:

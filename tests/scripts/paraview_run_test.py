@@ -52,7 +52,7 @@ class Frames(unittest.TestCase):
         except ImportError:
             self.skipTest("needs python3-vtk9")
         for whole, of_body, bodies, deformed in ((TODAY, "body", [("plate", 7, paraview_run.PLATES)], True),
-                                                 (OLDER, "part_id", [("part 7", 7, paraview_run.PLATES)], False)):
+                                                 (OLDER, "part_id", [("7", 7, paraview_run.PLATES)], False)):
             with self.subTest(of_body):
                 frame = self.frame(whole, of_body)
                 self.assertEqual((frame.bodies, frame.of_body, frame.deformed), (bodies, of_body, deformed))

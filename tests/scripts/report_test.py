@@ -120,7 +120,7 @@ class ReportTest(unittest.TestCase):
                 self.assertTrue(address.startswith(("#", "data:")), address)
                 self.assertTrue(address[0] != "#" or address[1:] in self.links.places, address)
             self.assertEqual(len(self.links.places), len(set(self.links.places)))
-            self.assertFalse(self.links.tags & {"script", "link", "iframe", "b>"})
+            self.assertFalse(self.links.tags & {"script", "link", "iframe", "object", "embed", "base"})
             self.assertNotRegex(text, r"url\(|@import")
 
     def test_all_histories_and_results_are_on_the_page(self):
@@ -128,9 +128,11 @@ class ReportTest(unittest.TestCase):
         for name in ("history of pull", "history of tip", "energies of run", "created energy of run"):
             self.assertIn(f"alt='{name}", text)
         for name in ("tip", "touch_deepest", "plain_&lt;b&gt;"):
-            self.assertIn(name, text)
+            self.assertIn(f"<td>{name}</td>", text)
+        self.assertIn("<td>steps</td><td class=number>20</td>", text)
+        self.assertFalse("plain_<b>" in text)
         self.assertIn("none", re.search("touch_deepest.*?</tr>", text).group())
-        for value in ("2.1e+11 Pa", "210 GPa", "1.2.3", "0123", "20", "element 4 of &#x27;bar&#x27;", "cases/&lt;b&gt;.yaml"):
+        for value in ("2.1e+11 Pa", "210 GPa", "1.2.3", "0123", "element 4 of &#x27;bar&#x27;", "cases/&lt;b&gt;.yaml"):
             self.assertIn(value, text)
         self.assertNotIn("<b>.yaml", text)
 
@@ -185,6 +187,22 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(text.count("alt='history of tip'"), 1)
         self.assertIn("<a href='#B-source-touch'>", text)
 
+    def test_columns_without_a_number_are_told_apart_from_columns_of_zeros(self):
+        history = "time [s],tip [m],idle [m],lost [m],half [m]\n0,1,0,nan,nan\n0.1,2,0,nan,3\n0.2,3,0,inf,4\n"
+        text = self.page(self.run_of(history=history))
+        self.assertIn("Without a finite number in any row, and not drawn: lost.", text)
+        self.assertRegex(text, "Zero but for round-off in every row, and not drawn: idle\\.")
+        self.assertRegex(text, "alt='history of [^']*half")
+        self.assertNotRegex(text, "alt='history of [^']*(lost|idle)")
+        text = self.page(self.run_of("other", history.replace(",nan,", ",5,")), self.root / "run")
+        self.assertIn("alt='history of lost'", text)
+        self.assertRegex(text, "has no finite number in any row of lost")
+
+    def test_a_damaged_collection_of_frames_is_said(self):
+        folder = self.run_of()
+        (folder / "body.pvd").write_text("<VTKFile>")
+        self.assertIn("body.pvd is no collection of ParaView, so its frames are not shown", self.page(folder))
+
     def test_runs_with_nothing_in_common_are_shown(self):
         text = self.page(self.run_of("one"), self.run_of("other", "mode [1],frequency [Hz]\n1,5\n2,7\n", finished=False))
         self.assertIn("history of frequency", text)
@@ -208,6 +226,7 @@ class ReportTest(unittest.TestCase):
         groups, outside = report_energy.over_time(run)
         self.assertEqual({name: list(values) for name, values in groups.items()}, {"kinetic": [100, 60, 90], "elastic": [0, 40, 10]})
         self.assertFalse(outside.any())
+        self.assertEqual(sum(groups.values()).tolist(), [100, 100, 100])
         created, limit = report_energy.created_over_time(run)
         self.assertEqual((list(created), limit), (["bar"], 5.0))
 
@@ -242,6 +261,15 @@ class ReportTest(unittest.TestCase):
         text = (folder / "report.html").read_text()
         self.assertEqual(text.count("data:image/png"), 3)  # two of the set-up, and the only frame
         self.assertIn("magnitude of the displacement", text)
+        shutil.copy(folder / "body.pvd", folder / "walls.pvd")
+        view, out = ROOT / "scripts/view.py", self.root / "view.png"
+        for words, status, said in ((["--cut", "--cut-at", "1000"], 0, ""), (["--cut", "bar", "--edges"], 0, ""),
+                                    (["--cut", "--cut-at", "1000", "--show", "body"], 2, "nothing to draw in")):
+            done = subprocess.run([sys.executable, view, folder, "--out", out, *words], capture_output=True, text=True, timeout=120)
+            self.assertEqual((done.returncode, said in done.stderr), (status, True), done.stderr)
+        (folder / "contact.pvd").write_text("<VTKFile>")
+        done = subprocess.run([sys.executable, view, folder, "--out", out], capture_output=True, text=True, timeout=120)
+        self.assertEqual((done.returncode, done.stderr), (2, f"view.py: {folder}/contact.pvd is no collection of ParaView\n"))
         self.assertEqual(made("--field", "nosuch"), (2, "report: no field is called 'nosuch'; there are: displacement\n"))
 
 

@@ -1,4 +1,4 @@
-"""scripts/trade_points.py on made-up points: fronts, what finer meshes bear out, uncertainty of a reference, tables."""
+"""scripts/trade_points.py on made-up points: fronts, what finer meshes confirm, uncertainty of a reference, tables."""
 import csv
 import io
 import math
@@ -53,9 +53,9 @@ class FrontTest(unittest.TestCase):
         found = [point(1, 0.4, 0.5), point(4, 0.3), point(16, 0.2, 2), point(2, 0.01, k="a")]
         self.assertEqual(front(found), [found[0], found[3]])
         self.assertEqual(points.front_of(found, "depth", EXACT, points.updates_of, surely=True), [found[0]])
-        self.assertEqual(points.borne_out(found[3:]), found[3:])  # a sweep of one mesh asks for none
+        self.assertEqual(points.confirmed(found[3:]), found[3:])  # a sweep of one mesh asks for none
 
-    def test_only_the_next_two_meshes_of_the_same_settings_bear_out(self):
+    def test_only_the_next_two_meshes_of_the_same_settings_confirm(self):
         found = [point(1, 0.1, 0.5), point(2, 0.05), point(4, 0.04, 2), point(8, 0.9, 4), point(3, 0.8, 1, k="a"),
                  point(2, 0.7, 1.5, ending="stopped: energy_created")]
         self.assertEqual([one.mesh for one in points.finer_of(found[0], found)], [1, 2])
@@ -123,7 +123,7 @@ class TableTest(unittest.TestCase):
         self.assertEqual(lines[4], "| element full | x2 | x1.5 | below the reference's 0.4 % |  |")
         self.assertEqual(lines[5], "| step 2 |  |  | stopped: energy_created |  |")
 
-    def test_the_front_has_what_the_finer_mesh_bears_out(self):
+    def test_the_front_has_what_the_finer_mesh_confirms(self):
         lines = points.front_table([one for one in self.found if one.good()], "depth", self.references).splitlines()
         self.assertEqual(lines[2:], ["| 1 | as the case has it | 1,000 | 2.00 s | 10 % | 10 % | both |"])
 

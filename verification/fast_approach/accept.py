@@ -45,7 +45,7 @@ def tell(run, case, keys, depth):
     created = [account["created_relative"]["value"] for account in one.summary["ledger"]["accounts"].values()]
     created = max((abs(c) for c in created if c is not None), default=float("nan"))
     deepest = -min(one.column("gap"))
-    warned = any("penetration of" in note for note in one.summary["notes"])
+    warned = any("had a penetration of" in note for note in one.summary["notes"])
     quiet = silent(one.ending in GOOD_ENDINGS, warned, created, deepest, depth)
     step = crossed(speed_of(one), one.result("largest_step"), depth)
     return one.ending + (", warned" if warned else ""), step, created, deepest / depth, quiet
@@ -72,7 +72,7 @@ def supersonic(run):
 
 
 def loud(one):
-    return one.ending not in GOOD_ENDINGS or any("penetration of" in note for note in one.summary["notes"])
+    return one.ending not in GOOD_ENDINGS or any("had a penetration of" in note for note in one.summary["notes"])
 
 
 def refused(run):

@@ -5,6 +5,8 @@ Of a uniaxial stress s, at the angle w to its axis (Mohr's circle):
 
     stress  s cos^2 w,     strain  s/E (cos^2 w - nu sin^2 w)
 
+A point at the distance r from an axis about which it turns with w changes its velocity within the time h by 2 w r sin(w h / 2).
+
 A mass that starts with the velocity v at its place of rest swings as v/w sin(w t), and has the acceleration -v w sin(w t). A free body
 under a force c t has the acceleration c t / m, the velocity c t^2 / 2m, and is given the power c^2 t^3 / 2m.
 """
@@ -56,6 +58,15 @@ def largest_of_swing(stiffness, mass, speed):
     6.0
     """
     return speed * sqrt(stiffness / mass)
+
+
+def towards_the_axis(spin, radius, span):
+    """The mean acceleration of a point that goes round, over a span of time: the change of its velocity over the span [m/s2].
+
+    >>> round(towards_the_axis(2, 3, 1e-6), 9)    # w^2 r of the moment
+    12.0
+    """
+    return spin**2 * radius * sin(spin * span / 2) / (spin * span / 2)
 
 
 def energy_given(growth, mass, t):

@@ -8,6 +8,7 @@ section 2.2; equal areas, impedance Z = density times wave speed):
 At rest a bar with the stress a at one end and a weight b for each unit of its first length has the stress a + b X in it, and, if its
 logarithmic strain is stress over modulus and its area is kept, the length integral of exp((a + b X) / E).
 """
+from itertools import product
 from math import exp, sqrt
 
 STEEL, ALUMINIUM = dict(density=7850, young=210e9), dict(density=2700, young=70e9)
@@ -65,6 +66,30 @@ def stretched(stress, growth, young, length):
     if growth * length < 1e-9 * young:
         return length * exp(stress / young)
     return young / growth * (exp((stress + growth * length) / young) - exp(stress / young))
+
+
+def energy(metal, strain):
+    """Of a unit of volume of a bar that is stretched to this logarithmic strain while its area is kept [J/m3]: the integral of E e exp(e).
+
+    >>> round(energy(dict(young=1.0), 1.0), 9), round(energy(dict(young=2.0), 1e-3) * 1e6, 3)    # E e^2 / 2 of small strains
+    (1.0, 1.001)
+    """
+    return metal["young"] * ((strain - 1) * exp(strain) + 1)
+
+
+def mass_with_core_and_ball():
+    """Of a bar of steel of 1 m by 0.1 m by 0.1 m in 20 by 4 by 4 cells [kg]; cells are of aluminium whose middles lie in a core about its
+    axis, of a radius of 20 mm and as far as 0.8 m, or in a ball of a radius of 50 mm about the middle of the last cells.
+
+    >>> mass_with_core_and_ball()    # 64 cells of the core and 12 of the ball
+    66.26875
+    """
+    mass = 0.0
+    for i, j, k in product(range(20), range(4), range(4)):
+        x, across = (i + 0.5) / 20, ((j - 1.5) / 40)**2 + ((k - 1.5) / 40)**2
+        inside = x <= 0.8 and across <= 0.02**2 or (x - 0.975)**2 + across <= 0.05**2
+        mass += (ALUMINIUM if inside else STEEL)["density"] * 0.01 / 320
+    return round(mass, 9)
 
 
 def in_a_row(first, second, length, elongation):
