@@ -116,6 +116,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     return gaps;
   }
   std::vector<double> initial(count, std::numeric_limits<double>::quiet_NaN());
+  std::vector<int> kind(count, -1);     // of the feature that an apex is over; -1: over none
   std::vector<char> crosses(count, 0);  // whether an apex stands behind a facet that it touches
   const bool one_pair = interface.bodies.count() == 0;
   if (one_pair) workspace.broad[0].sort(interface.base, x);
@@ -134,7 +135,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     if (std::abs(interface.contact_height(a)) < least_height) interface.contact_height(a) = 0;
     initial[a] = h - interface.contact_height(a);
     if (tied) memory.gap[a] = initial[a];
-    ++gaps.by_kind[static_cast<int>(start.stand.feature.kind)];
+    kind[a] = static_cast<int>(start.stand.feature.kind);
   }
   if (!tied) {
     search(interface, x, memory, workspace);
@@ -152,7 +153,8 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
     memory.feature[a] = nearest.feature;
     if (nearest.feature.facet < 0) continue;
     memory.gap[a] = nearest.distance() - path.level(nearest.feature.facet);
-    if (!one_pair) initial[a] = memory.gap[a], ++gaps.by_kind[static_cast<int>(nearest.feature.kind)];
+    kind[a] = static_cast<int>(nearest.feature.kind);  // of what is near, which the facet of the start need not be
+    if (!one_pair) initial[a] = memory.gap[a];
     double depth = 0;
     const double deepest = between(interface, a, nearest.feature.facet).depth;
     const Index facet = behind(path, deepest > 0 ? deepest : infinite, depth);
@@ -174,6 +176,7 @@ InitialGaps connect(Interface& interface, const Vectors& x, double reach, const 
   }
   for (Index a = 0; a < count; ++a) {
     const double gap = initial[a];
+    if (kind[a] >= 0) ++gaps.by_kind[kind[a]];
     if (std::isnan(gap)) continue;
     if (!tied && !crosses[a] && gap < -slight * interface.margin) {
       ++gaps.behind;

@@ -55,6 +55,8 @@ constexpr std::array symbols{
     Symbol{"psi", {pound_force, inch* inch, dim::stress}},
     Symbol{"J", {1, 1, dim::energy}},
     Symbol{"kJ", {1e3, 1, dim::energy}},
+    Symbol{"W", {1, 1, dim::power}},
+    Symbol{"kW", {1e3, 1, dim::power}},
     Symbol{"Hz", {1, 1, dim::frequency}},
     Symbol{"rad", {1, 1, dim::angle}},
     Symbol{"deg", {degree, 1, dim::angle}},

@@ -518,9 +518,12 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
       (probe.follows_mesh == dynamics::FollowsMesh::yes ? plastic : of_one_point).push_back(probe.name);
     if (probe.footing < 0 || static_cast<std::size_t>(probe.footing) >= now.footings.size()) continue;
     const double nodes = now.footings[static_cast<std::size_t>(probe.footing)].nodes;
-    if (nodes > 0 && nodes < nodes_worth_no_note)
-      notes.push_back(formatted("%s: the largest force of this contact acted on %.2g nodes (fewer than %g), and such a peak depends on "
-                                "the mesh: ", probe.name.c_str(), nodes, nodes_worth_no_note) + said(Remedy::estimate_error));
+    if (nodes > 0 && nodes < nodes_worth_no_note) {
+      const std::string few = formatted("%.2g", nodes);
+      notes.push_back(formatted("%s: the largest force of this contact acted on %s node%s (fewer than %g), and such a peak depends on "
+                                "the mesh: ", probe.name.c_str(), few.c_str(), few == "1" ? "" : "s", nodes_worth_no_note) +
+                      said(Remedy::estimate_error));
+    }
   }
   const char* follows = ": the largest plastic strain depends on the mesh: ";
   if (!of_one_point.empty()) notes.push_back(joined(of_one_point) + follows + said(Remedy::eight_points));
