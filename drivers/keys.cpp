@@ -19,7 +19,7 @@ Json as_json(const std::string& program, const input::AskedKey& key) {
   const auto add = [&json](const char* name, std::string_view text) {
     if (!text.empty()) json[name] = text;
   };
-  add("unit", meaning.unit.empty() ? key.unit : meaning.unit), add("range", key.range);
+  add("unit", meaning.unit.empty() ? key.unit : meaning.unit), add("range", meaning.range.empty() ? key.range : meaning.range);
   add("default", meaning.otherwise.empty() ? key.otherwise : meaning.otherwise);
   if (key.required) json["required"] = true;
   if (!key.options.empty()) json["options"] = key.options;

@@ -27,7 +27,7 @@ const std::vector<MeaningOfPath>& all_meanings() {
        "that of mesh and density"},
       {"mass_properties.centre", "Centre of mass, where the body stands after `move`.", "centre: [0 m, 0 m, 10 mm]", "that of the mesh"},
       {"mass_properties.inertia", "Moments of inertia about the centre of mass, in the axes of the scene: xx, yy, zz, xy, yz, xz.",
-       "inertia: [1e-3 kg*m^2, 1e-3 kg*m^2, 2e-3 kg*m^2, 0 kg*m^2, 0 kg*m^2, 0 kg*m^2]", "that of the mesh"},
+       "inertia: [1e-3 kg*m^2, 1e-3 kg*m^2, 2e-3 kg*m^2, 0 kg*m^2, 0 kg*m^2, 0 kg*m^2]", "that of the mesh", "", "six"},
       {"bodies[].surface", "What contact takes as the surface of a rigid body: its exact round shape, or the facets of its mesh.",
        "surface: facets", "exact, if the mesh has such a shape"},
       {"shape", "The exact round shape on which the nodes of the skin of a rigid body lie, if its mesh is from a file or has a `map`.",
@@ -38,15 +38,15 @@ const std::vector<MeaningOfPath>& all_meanings() {
       {"shape.length", "Length of the shape along its axis.", "length: 20 mm"},
       {"shape.centre", "Centre of the shape before `rotate` and `move`.", "centre: [0 m, 0 m, 0 m]"},
       {"shape.axis", "Direction of the axis before `rotate`, of any length.", "axis: [0, 0, 1]"},
-      {"points", "Names of nodes by their place.", "points: [{name: tip, near: [1 m, 0 m, 0 m]}]"},
+      {"points", "Names of nodes by their place.", "points: [{name: tip, near: [0.866 m, 0.5 m, 1 mm]}]"},
       {"points[].name", "Name of the node set: the point `tip` of the body `bar` is `bar.tip`.", "name: tip"},
-      {"points[].near", "The node that is nearest to this place after `rotate` and `move`.", "near: [1 m, 0 m, 0 m]"},
+      {"points[].near", "The place after `rotate` and `move`: the nearest node becomes the set.", "near: [0.866 m, 0.5 m, 1 mm]"},
       {"sets", "Names of nodes, parts of the skin and elements by their place. Each set has one zone or list, and optionally `without`.",
-       "sets: [{name: pad, box: {low: [0 m, 0 m, 0 m], high: [20 mm, 1 m, 1 m]}}]"},
+       "sets: [{name: pad, box: {low: [0 m, 0 m, 0 m], high: [200 mm, 1 m, 1 m]}}]"},
       {"sets[].name", "Name of the set: the set `pad` of the body `bar` is `bar.pad`.", "name: pad"},
-      {"sets[].box", "All that lies in a box along the axes.", "box: {low: [0 m, 0 m, 0 m], high: [20 mm, 1 m, 1 m]}"},
+      {"sets[].box", "All that lies in a box along the axes.", "box: {low: [0 m, 0 m, 0 m], high: [200 mm, 1 m, 1 m]}"},
       {"box.low", "Lowest corner of the box.", "low: [0 m, 0 m, 0 m]"},
-      {"box.high", "Highest corner of the box.", "high: [20 mm, 1 m, 1 m]"},
+      {"box.high", "Highest corner of the box.", "high: [200 mm, 1 m, 1 m]"},
       {"sets[].cylinder", "All that lies in a cylinder.", "cylinder: {from: [0 m, 0 m, 0 m], to: [0 m, 1 m, 0 m], radius: 10 mm}"},
       {"cylinder.from", "One end of the axis of the cylinder.", "from: [0 m, 0 m, 0 m]"},
       {"cylinder.to", "The other end of the axis.", "to: [0 m, 1 m, 0 m]"},
@@ -67,7 +67,8 @@ const std::vector<MeaningOfPath>& all_meanings() {
       {"without", "Sets whose members are taken out again.", "without: [hole]", "none"},
       {"bodies[].materials", "Materials of parts of the body; the rest has `material`.",
        "materials: [{of: pad, material: {kind: elastic, density: 1100 kg/m^3, young: 10 MPa, poisson: 0.45}}]"},
-      {"materials[].of", "The region of the mesh, or the set with elements, that has this material.", "of: pad"},
+      {"materials[].of", "The region of the mesh, or the set, that has this material. A set that contains no middle of an element is "
+       "refused.", "of: pad"},
       {"materials[].material", "The material of the part.", "material: {kind: elastic, density: 1100 kg/m^3, young: 10 MPa, poisson: "
        "0.45}"},
       {"start", "State of a fluid at the start.", "start: {pressure: 0.1 MPa, hydrostatic: true}"},
@@ -141,8 +142,8 @@ const std::vector<MeaningOfPath>& all_meanings() {
       {"curve.growth", "Voce: the most by which the yield stress grows, Q. Ludwik and Swift: the factor K.", "growth: 150 MPa"},
       {"curve.exponent", "Voce: the rate b. Ludwik and Swift: the exponent n.", "exponent: 0.2"},
       {"curve.offset", "Swift: the strain e at the beginning of the curve.", "offset: 0.01"},
-      {"curve.table", "CSV file beside the case: plastic strain from 0 on, then stress with its unit; a column is named as in "
-       "\"steel.csv:slow\".", "table: steel.csv"},
+      {"curve.table", "CSV file, from the folder of the case. Its first column is the plastic strain, which begins with 0; each other "
+       "column is a stress. If there are several, name one.", "table: \"steel.csv:slow\""},
       {"curve.rates", "Measured curves at several strain rates, in ascending order; between them it is interpolated in the logarithm of "
        "the rate.", "rates: [{rate: 1 1/s, table: slow.csv}, {rate: 100 1/s, table: fast.csv}]"},
       {"rates[].rate", "Rate of plastic strain of the curve.", "rate: 100 1/s"},
@@ -237,7 +238,7 @@ const std::vector<MeaningOfPath>& all_meanings() {
       {"planes[].velocity.value", "Expression of the time `t` [s]; of driven nodes three, also of the reference position `x`, `y`, `z` "
        "[m].", "value: [\"0\", \"0\", \"-1\"]"},
       {"planes[].velocity.unit", "Unit of the velocity.", "unit: m/s"},
-      {"angular_velocity", "Prescribed angular velocity of driven nodes of plates, or of a rigid body.",
+      {"angular_velocity", "Prescribed angular velocity of driven nodes of plates, or of a rigid body; left out for solids.",
        "angular_velocity: {value: [\"0\", \"0\", \"10\"], unit: rad/s}", "zero"},
       {"angular_velocity.value", "Three expressions of `x`, `y`, `z` [m] and `t` [s].", "value: [\"0\", \"0\", \"10\"]"},
       {"angular_velocity.unit", "Unit of the angular velocity.", "unit: rad/s"},
@@ -309,11 +310,11 @@ const std::vector<MeaningOfPath>& all_meanings() {
        "near: [0.2 m, 0.1 m, 0 m]", "none"},
       {"probes[].place", "Where through the thickness of plates; required of plates, and not for solids.", "place: top", "none"},
       {"probes[].between", "Two bodies of an automatic contact: the force or impulse on the first by the second.", "between: [ball, plate]",
-       "none"},
+       "none", "", "two"},
       {"probes[].value", "In the place of `quantity` and `of`: an expression of the probes above it and of `t` [s].",
        "value: \"push * tip / 2\""},
       {"probes[].unit", "SI unit of the value of that expression.", "unit: J"},
-      {"stop", "Conditions that end the run, looked at in every row of the history. Each item has one: above, below, peaked, dipped, "
+      {"stop", "Conditions that end the run, tested in every row of the history. Each item has one: above, below, peaked, dipped, "
        "steady or rest.", "stop: [{probe: tip, below: -1 mm}]"},
       {"stop[].probe", "The probe, or the column of the program, that is compared; not of `rest`.", "probe: tip"},
       {"stop[].after", "Time before which rows do not count.", "after: 0.2 ms"},

@@ -13,6 +13,7 @@ struct MeaningOfPath {
   std::string_view example;         ///< as a case has it, as in "young: 210 GPa"
   std::string_view otherwise = {};  ///< the default in words, where it is no single value; empty: as the reader has it
   std::string_view unit = {};       ///< in words, the same
+  std::string_view range = {};      ///< number of values of a list, where readers only know the least: "two", "six"
 };
 
 /// All entries.

@@ -34,12 +34,12 @@ def draw_panel(axes, panel):
     if panel.uncertainty == math.inf:
         axes.text(0.5, 0.5, "no reference", transform=axes.transAxes, ha="center")
         return
-    for some, label, face in ((panel.beaten, "beaten by another", DOMINATED), (panel.alone, "without two finer meshes", "white")):
+    for some, label, face in ((panel.beaten, "dominated", DOMINATED), (panel.alone, "without two finer meshes", "white")):
         axes.plot([cost for cost, _ in some], [error for _, error in some], linestyle="none", marker="o", markersize=3, color=DOMINATED,
                   markerfacecolor=face, markeredgewidth=0.6, label=label, zorder=1)
-    figure.draw_points(axes, [cost for cost, _, _ in panel.front], [error for _, error, _ in panel.front], 1, "front")
+    figure.draw_points(axes, [cost for cost, _, _ in panel.front], [error for _, error, _ in panel.front], 1, "Pareto front")
     axes.plot([panel.base[0]], [panel.base[1]], linestyle="none", marker="*", markersize=8, color="#D55E00", markeredgecolor="black",
-              markeredgewidth=0.4, label="as the case has it", zorder=4)
+              markeredgewidth=0.4, label="settings of the case", zorder=4)
     if panel.uncertainty > 0:
         draw_uncertainty(axes, panel.uncertainty)
     for cost, error, number in panel.front:

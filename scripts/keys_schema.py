@@ -41,10 +41,13 @@ def tidy(limits):
     return {word: int(value) if is_whole(value) else value for word, value in limits.items()}
 
 
+LENGTHS = {"two": 2, "three": 3, "six": 6}
+
+
 def size(range_text):
     """Lengths of a list: "three", "at least 2"."""
-    if range_text == "three":
-        return {"minItems": 3, "maxItems": 3}
+    if range_text in LENGTHS:
+        return {"minItems": LENGTHS[range_text], "maxItems": LENGTHS[range_text]}
     least = re.fullmatch(r"at least (\d+)", range_text)
     return {"minItems": int(least[1])} if least else {}
 

@@ -20,9 +20,11 @@ const std::vector<Described>& described_results() {
       {"CONTACT_first_touch", "s", "First step at which both sides touched; absent if they never did."},
       {"CONTACT_last_touch", "s", "Last step at which both sides touched."},
       {"CONTACT_impulse", "N*s", "Magnitude of the impulse on the apexes."},
-      {"CONTACT_effective_nodes", "1", "(sum f)^2 / sum f^2 of the forces f on the nodes at the largest force; absent without force."},
+      {"CONTACT_effective_nodes", "1", "(sum f)^2 / sum f^2 of the forces f on the nodes: number of nodes on which the largest force of "
+       "the contact acted; absent without force."},
       {"PLANE_deepest", "m", "Largest penetration of any node through the rigid plane in any step, positive."},
-      {"PLANE_effective_nodes", "1", "The same as of a contact."},
+      {"PLANE_effective_nodes", "1", "(sum f)^2 / sum f^2 of the forces f on the nodes: number of nodes on which the largest force of the "
+       "plane acted."},
       // Bodies
       {"BODY_smallest_corner", "1", "Smallest Jacobian of a corner of an element over that of the reference; a corner at or below 0 is "
        "inverted. Of solids."},
@@ -67,7 +69,7 @@ const std::vector<Described>& described_results() {
       {"time_of_settlement_mean", "s", "Time of that settlement.", "cask_drop"},
       {"settlement_centre", "m", "Largest settlement of the centre of the top; downwards is positive.", "cask_drop"},
       {"time_of_settlement_centre", "s", "Time of that settlement.", "cask_drop"},
-      {"bulge", "m", "Largest outward displacement of the cladding, without it of the side of the lead.", "cask_drop"},
+      {"bulge", "m", "Largest outward displacement of the cladding; without cladding, of the side of the lead.", "cask_drop"},
       // plug_juncture, shield_plates and slug_impact: upward forces and impulses, and values of the whole structure
       {"closes_GAP", "s", "Time at which the gap closes; absent if it does not.", "plug_juncture, shield_plates, slug_impact"},
       {"impulse_GAP", "N*s", "Upward impulse that is transmitted through the gap.", "plug_juncture, shield_plates, slug_impact"},
@@ -121,11 +123,11 @@ const std::vector<Described>& described_results() {
       {"work_dissipated", "J/m^3", "Dissipated energy per volume.", "material_point"},
       {"rounds_of_newton", "1", "Most iterations of an increment in the search for strains of given stresses.", "material_point"},
       // contact_elements: largest errors of all elements of a kind, over the length of the largest B
-      {"KIND_gradient", "1", "Of B against differences of the height.", "contact_elements"},
-      {"KIND_force", "1", "Net force that the element exerts.", "contact_elements"},
-      {"KIND_moment", "1", "Net moment, also over the length of the element.", "contact_elements"},
-      {"KIND_motion", "1", "Of B after a rotation and a shift of the element.", "contact_elements"},
-      {"KIND_order", "1", "Of B with the nodes of the base in another order.", "contact_elements"},
+      {"KIND_gradient", "1", "Largest error of B against differences of the height, over the length of the largest B.", "contact_elements"},
+      {"KIND_force", "1", "Largest net force of an element, over the same.", "contact_elements"},
+      {"KIND_moment", "1", "Largest net moment of an element, over the same and the length of the element.", "contact_elements"},
+      {"KIND_motion", "1", "Largest error of B after a rotation and a shift of the element, over the same.", "contact_elements"},
+      {"KIND_order", "1", "Largest error of B with the nodes of the base in another order, over the same.", "contact_elements"},
       {"KIND_sharpest", "1", "Largest ratio of the longest to the smallest length of an element.", "contact_elements"},
       // penalty_oscillator
       {"peak_force", "N", "Largest contact force of a bounce.", "penalty_oscillator"},
@@ -149,12 +151,12 @@ const std::vector<Described>& described_columns() {
       {"energy_SOURCE_STORE", "J", "Energy that a source of force holds in one of its stores, less that at the start; positive if it has "
        "taken energy from the nodes."},
       {"energy_SOURCE_LOSS", "J", "Energy that a source of force has dissipated since the start, not negative."},
-      {"energy_created_SOURCE", "J", "Work of the source on the nodes plus what it stores and has dissipated: positive is energy from "
-       "nothing, negative is energy that vanished."},
-      {"energy_integration", "J", "Kinetic energy that belongs to central differences and to no source; it comes back as forces fall."},
+      {"energy_created_SOURCE", "J", "Work of the source on the nodes, plus its stores and losses, plus the amount by which a store of a "
+       "body is below zero: positive is energy from nothing, negative is energy that vanished."},
+      {"energy_integration", "J", "Kinetic energy that belongs to central differences and to no source; it is recovered as forces fall."},
       {"energy_residual", "J", "Kinetic energy that no account explains: round-off."},
       // scene
-      {"PROBE", "", "The probe of this name; `mean` behind the unit marks means since the row before.", "scene"},
+      {"PROBE", "", "The probe of this name; `mean` after the unit marks means since the row before.", "scene"},
       // two_blocks
       {"interface_stress", "Pa", "Mean stress between the blocks since the row before; compression is positive.", "two_blocks"},
       {"velocity_A", "m/s", "Mean velocity of the block A along x.", "two_blocks"},
@@ -173,7 +175,7 @@ const std::vector<Described>& described_columns() {
       {"settlement_centre", "m", "Settlement of the centre of the top; downwards is positive.", "cask_drop"},
       {"floor_force", "N", "Upward force of the floor, mean since the row before.", "cask_drop"},
       {"floor_impulse", "N s", "Upward impulse of the floor.", "cask_drop"},
-      {"bulge", "m", "Largest outward displacement of the cladding, without it of the side of the lead.", "cask_drop"},
+      {"bulge", "m", "Largest outward displacement of the cladding; without cladding, of the side of the lead.", "cask_drop"},
       // plug_juncture, shield_plates and slug_impact: values of the part that is modelled
       {"force_GAP", "N", "Force along z on the apexes below the gap, mean since the row before; negative pushes them down.",
        "plug_juncture, shield_plates, slug_impact"},
@@ -230,7 +232,7 @@ const std::vector<Described>& described_fields() {
       // Every file
       {"TimeValue", "s", "Time of the frame; of modes the frequency in Hz.", "all, file"},
       {"points_are_deformed", "1", "1: the points of the file are the positions at its time.", "all, file"},
-      {"FIELD [UNIT]", "1", "An array whose name has a field and its SI unit; its value means nothing.", "all, file"},
+      {"FIELD [UNIT]", "1", "An array whose name has a field and its SI unit; its value has no meaning.", "all, file"},
       {"BODY", "1", "Two numbers of a body: its number in `body`, and 3 of solids or 2 of plates.", "body, file"},
       {"displacement", "m", "Position less that at the start: points less `displacement` are the positions at the start.", "all, points"},
       // Nodes of bodies
@@ -308,9 +310,9 @@ const std::vector<Described>& described_summary() {
       {"ledger.energy_scale", "J", "Energy that created energy is compared with."},
       {"ledger.kinetic", "J", "Kinetic energy at the end."},
       {"ledger.integration", "J", "Kinetic energy that belongs to central differences and to no source."},
-      {"ledger.integration_kept", "J", "The part of it that does not come back."},
+      {"ledger.integration_kept", "J", "Part of the integration energy that is not recovered."},
       {"ledger.integration_kept_relative", "1", "The same over the energy scale, where it was largest."},
-      {"ledger.integration_swing_relative", "1", "The most that `integration` was at any time, over the energy scale."},
+      {"ledger.integration_swing_relative", "1", "Largest integration energy at any time, over the energy scale."},
       {"ledger.energy_residual", "J", "Kinetic energy that no account explains: round-off."},
       {"ledger.initial_momentum", "kg m/s", "Momentum at the start."},
       {"ledger.momentum", "kg m/s", "Momentum at the end."},
@@ -323,7 +325,8 @@ const std::vector<Described>& described_summary() {
       {"ledger.accounts.SOURCE.work", "J", "Work on the nodes since the start: positive speeds them up."},
       {"ledger.accounts.SOURCE.stored.STORE", "J", "What it holds, less that at the start."},
       {"ledger.accounts.SOURCE.dissipated.LOSS", "J", "What it has dissipated."},
-      {"ledger.accounts.SOURCE.created", "J", "Work plus stored plus dissipated: positive is energy from nothing."},
+      {"ledger.accounts.SOURCE.created", "J", "Work plus stored plus dissipated, plus the amount by which a store of a body "
+       "is below zero: positive is energy from nothing."},
       {"ledger.accounts.SOURCE.created_relative", "1", "The same over the energy scale."},
       {"ledger.accounts.SOURCE.passed", "J", "Sum over the steps of the magnitude of its work."},
       {"ledger.accounts.SOURCE.created_of_passed", "1", "Created energy over that, where it was largest, with its sign."},
@@ -335,7 +338,7 @@ const std::vector<Described>& described_summary() {
       {"cost.steps", "", "Number of steps."},
       {"cost.element_updates", "", "Number of updates of elements that were not rigid."},
       {"cost.wall_seconds", "", "Seconds of the run on the clock."},
-      {"cost.nanoseconds_per_element_update", "", "Those nanoseconds over the element updates."},
+      {"cost.nanoseconds_per_element_update", "", "Wall time of one element update, in nanoseconds."},
       {"cost.threads", "", "Number of threads."},
       {"cost.frames", "", "Number of frames."},
       {"cost.frames_every", "s", "Time between frames."},

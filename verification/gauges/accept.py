@@ -138,16 +138,16 @@ BREAKS = [
 def accelerations(run):
     there = of(MOTION)(run)
     t = [1e3 * one for one in there.column("time")][1:]
-    return [(name, t, there.column(f"{name}_acceleration")[1:]) for name in ("swing", "bar")]
+    return [(said, t, there.column(f"{name}_acceleration")[1:]) for name, said in (("swing", "mass on a spring"), ("bar", "pushed bar"))]
 
 
 def exact_accelerations(run):
     t = of(MOTION)(run).column("time")
     spans = list(zip(t, t[1:]))
     times = [1e3 * one for one in t[1:]]
-    return [("v (cos wt)' in the mean", times, [swing(**SWING, first=a, last=b) for a, b in spans]),
-            ("c t / m in the mean", times, [GROWTH / MASS * (a + b) / 2 for a, b in spans])]
+    return [("mean of −v ω sin ωt", times, [swing(**SWING, first=a, last=b) for a, b in spans]),
+            ("mean of c t/m", times, [GROWTH / MASS * (a + b) / 2 for a, b in spans])]
 
 
-FIGURES = [Figure("acceleration", "time [ms]", "acceleration [m/s2]", accelerations, exact_accelerations,
+FIGURES = [Figure("acceleration", "time [ms]", "acceleration [m/s²]", accelerations, exact_accelerations,
                   caption="Accelerations of a mass on a spring and of a bar under a force that grows: means between rows.")]

@@ -180,7 +180,8 @@ BREAKS = [
 
 
 def curves(run):
-    drawn = [("measured, at no rate", [100 * e for e in run.column("strain_xx")[::20]], [s / 1e6 for s in run.column("stress_xx")[::20]])]
+    drawn = [("measured, without rate dependence", [100 * e for e in run.column("strain_xx")[::20]],
+              [s / 1e6 for s in run.column("stress_xx")[::20]])]
     there = of("rates.yaml")(run)
     drawn.append(("at 1, 10 and 1000 per second", [100 * e for e in there.column("strain_xx")[::20]],
                   [s / 1e6 for s in there.column("stress_xx")[::20]]))
@@ -194,5 +195,5 @@ def exact_curve(run):
 
 FIGURES = [
     Figure("curves", "strain [%]", "stress [MPa]", curves, exact_curve, error=False,
-           caption="A measured curve in uniaxial stress at no rate, and two curves while the rate is raised twice."),
+           caption="A measured curve in uniaxial stress without rate dependence, and two curves while the rate is raised twice."),
 ]

@@ -91,7 +91,7 @@ def hot(name, number, unit, less=0.0):
     return measure
 
 
-BEGINS = ("where flow begins the sides must come in faster by 0.4 y/s, a wave of 0.3 MPa of 300 in a bar of 20 mm; half of that may be "
+BEGINS = ("where flow begins the sides must contract faster by 0.4 y/s, a wave of 0.3 MPa of 300 in a bar of 20 mm; half of that may be "
           "left at a strain of 1 %")
 FLAT = "as in the bar, but the wave goes across the width alone; 2e-5 is left of it at a strain of 1 %"
 SLOWLY = "the inertia of a rate of 2/s is 160 Pa of 3e8, 5e-7, and as much again from rows at steps beside their times"

@@ -79,12 +79,12 @@ FRONTS = "fronts overshoot by 0.15 % in a bar of one material (smooth_and_shock)
 REST = "linear in each half; at rest to 1e-6 of all forces, and elements of 50 mm have the stress of their middle: 1e-8"
 EVEN = "one strain in each half; at rest to 1e-6 of all forces"
 CHECKS = [
-    Check("stress that comes in", plateau("near_stress", IN, -PRESSURE), 2e-3, FRONTS),
-    Check("stress that goes on", plateau("far_stress", ON, -T * PRESSURE), 2e-3, FRONTS),
-    Check("stress that comes back", plateau("near_stress", BACK, -R * PRESSURE), 2e-3, FRONTS),
+    Check("incident stress", plateau("near_stress", IN, -PRESSURE), 2e-3, FRONTS),
+    Check("transmitted stress", plateau("far_stress", ON, -T * PRESSURE), 2e-3, FRONTS),
+    Check("reflected stress", plateau("near_stress", BACK, -R * PRESSURE), 2e-3, FRONTS),
     Check("force at the joint", plateau("joint_force", JOINT, T * PRESSURE * AREA, "N"), 2e-3, FRONTS),
-    Check("into the stiffer part: stress that goes on", plateau("far_stress", ON_2, -T_2 * PRESSURE, change=EXCHANGED), 2e-3, FRONTS),
-    Check("into the stiffer part: stress that comes back", plateau("near_stress", BACK_2, -R_2 * PRESSURE, change=EXCHANGED), 2e-3,
+    Check("into the stiffer part: transmitted stress", plateau("far_stress", ON_2, -T_2 * PRESSURE, change=EXCHANGED), 2e-3, FRONTS),
+    Check("into the stiffer part: reflected stress", plateau("near_stress", BACK_2, -R_2 * PRESSURE, change=EXCHANGED), 2e-3,
           FRONTS),
     Check("into the stiffer part: force at the joint", plateau("joint_force", JOINT_2, T_2 * PRESSURE * AREA, "N", EXCHANGED), 2e-3,
           FRONTS),
@@ -105,13 +105,13 @@ CHECKS = [
 ]
 
 BREAKS = [
-    Breaks("stress that comes in", "a pressure off by a hundredth", {"loads[0].value": '"t < 60e-6 ? 101 : 0"'}),
-    Breaks("stress that goes on", "one material", ONE_MATERIAL),
-    Breaks("stress that comes back", "one material", ONE_MATERIAL),
+    Breaks("incident stress", "a pressure off by a hundredth", {"loads[0].value": '"t < 60e-6 ? 101 : 0"'}),
+    Breaks("transmitted stress", "one material", ONE_MATERIAL),
+    Breaks("reflected stress", "one material", ONE_MATERIAL),
     Breaks("force at the joint", "materials exchanged", EXCHANGED),
-    Breaks("into the stiffer part: stress that goes on", "the normal of the half space the other way",
+    Breaks("into the stiffer part: transmitted stress", "the normal of the half space the other way",
            {"bodies[0].sets[0].half_space.normal": "[-1, 0, 0]", "probes[1].of": "bar"}),
-    Breaks("into the stiffer part: stress that comes back", "the joint elsewhere", {FAR_PART: "[0.75 m, 0 m, 0 m]"}),
+    Breaks("into the stiffer part: reflected stress", "the joint elsewhere", {FAR_PART: "[0.75 m, 0 m, 0 m]"}),
     Breaks("into the stiffer part: force at the joint", "the joint elsewhere", {FAR_PART: "[0.75 m, 0 m, 0 m]"}),
     Breaks("at rest: elongation of the near half", "materials exchanged", EXCHANGED, case=STATIC),
     Breaks("at rest: elongation of both", "one material", ONE_MATERIAL, case=STATIC),
@@ -152,5 +152,5 @@ def exact_stresses(run):
             for where, x in (("in steel", NEAR), ("in aluminium", FAR))]
 
 
-FIGURES = [Figure("stress", "time [us]", "axial stress [MPa]", stresses, exact_stresses,
-                  caption="A pulse of 100 MPa in steel meets aluminium: stresses 0.3 m before and behind the joint.")]
+FIGURES = [Figure("stress", "time [µs]", "axial stress [MPa]", stresses, exact_stresses,
+                  caption="A pulse of 100 MPa in steel meets aluminium: stresses 0.3 m from the joint, on both sides.")]
