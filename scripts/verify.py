@@ -14,7 +14,7 @@ The exit status is 1 if a check fails, if a break breaks nothing, if a known mis
 
 A case is a folder with `accept.py`, which has
 
-    CLAIM, EVIDENCE    one sentence; exact, order, invariant or benchmark
+    CLAIM, EVIDENCE    one sentence; exact, order, invariant, benchmark or experiment
     CATALOGUE          numbers of the catalogue that it answers; may be empty
     DRIVER, CASE       the program, and its case file seen from the root of the tree (default: case.yaml beside it)
     CHANGE             keys that are set in every run of that file; optional
@@ -51,7 +51,7 @@ from convergence import order_between
 from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields, straight_line  # noqa: F401  (for cases)
 from verification_outcome import Outcome, Row
 
-EVIDENCE = ("exact", "order", "invariant", "benchmark")
+EVIDENCE = ("exact", "order", "invariant", "benchmark", "experiment")
 GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_condition")
 
 
@@ -262,14 +262,15 @@ def check_row(one, run):
     return Row("check", *said, share(one.within), "pass" if inside else "FAIL", inside, one.because, error, one.within)
 
 
-def gate_rows(runs, waivers):
-    """What every run of a case must keep, its studies and breaks included: a line for each gate with the worst of them."""
+def gate_rows(runs, waivers, whole=True):
+    """What every run of a case must keep, its studies and breaks included: a line for each gate with the worst of them. Without its
+    studies and breaks a case is not `whole`, and a waiver may excuse nothing."""
     judged = [(run, errors) for run in runs if (errors := gates.errors(run))]
     return [gate_row(gate, limit, [(run, errors[gate]) for run, errors in judged if errors[gate] is not None],
-                     [one for one in waivers if one.gate == gate]) for gate, limit in gates.LIMITS.items()] if judged else []
+                     [one for one in waivers if one.gate == gate], whole) for gate, limit in gates.LIMITS.items()] if judged else []
 
 
-def gate_row(gate, limit, errors, waivers):
+def gate_row(gate, limit, errors, waivers, whole=True):
     """The line of one gate: the worst run, those left out that fail and that a waiver names."""
     def fails(error):
         return not error <= limit
@@ -282,7 +283,7 @@ def gate_row(gate, limit, errors, waivers):
     worst, where = max(kept, key=lambda pair: pair[0], default=(0.0, None))
     said = [f"{len(runs)} of {len(errors)} runs are excused: {one.because}" if runs else f"a waiver excuses no run: {one.because}"
             for one, runs in zip(waivers, excused)]
-    good = not fails(worst) and all(excused)
+    good = not fails(worst) and (all(excused) or not whole)
     if fails(worst):
         settings = ", ".join(f"{key}={value}" for key, value in where.overrides.items())
         said.append(f"worst in {where.folder.name}: {where.case_file} {settings}")
@@ -426,19 +427,19 @@ class Case:
     def base_run(self, store):
         return store.run(self.accept.DRIVER, self.case_file(), getattr(self.accept, "CHANGE", {}))
 
-    def outcome(self, store, full=False, with_figures=False):
+    def outcome(self, store, full=False, with_figures=False, with_breaks=True):
         """Runs all checks, studies and breaks of the level; a fault of one of them is a row that fails."""
         out = Outcome(self.name, "full" if full else "quick", self.accept.DRIVER, self.case_file(), self.accept.CLAIM, self.accept.EVIDENCE,
                       list(self.accept.CATALOGUE))
         try:
-            self.judge(out, store, full, with_figures)
+            self.judge(out, store, full, with_figures, with_breaks)
         except CannotRun as error:
             out.rows.append(fault_row("the run", error))
         out.runs, out.made = len(store.done), sum(run.made for run in store.done.values())
         out.seconds = store.seconds()
         return out
 
-    def judge(self, out, store, full, with_figures):
+    def judge(self, out, store, full, with_figures, with_breaks):
         run = self.base_run(store)
         out.ledger, out.cost = run.summary["ledger"], run.summary["cost"]
         out.provenance = {key: value for key, value in run.summary["provenance"].items() if key != "resolved"}
@@ -446,7 +447,7 @@ class Case:
             out.rows.append(Row("fault", "the run reaches its end", "", run.ending, "", "", "FAIL", False, run.summary["ending"]["reason"]))
             return
         checks = {one.name: one for one in self.accept.CHECKS}
-        for one in [*self.accept.CHECKS, *self.studies(), *self.accept.BREAKS]:
+        for one in [*self.accept.CHECKS, *([*self.studies(), *self.accept.BREAKS] if with_breaks else [])]:
             if one.full and not full:
                 continue
             seen, asked = len(out.rows), len(run.runner.given)
@@ -467,6 +468,9 @@ class Case:
                 if row.kind in ("check", "miss"):
                     used = run.runner.given[asked:] or [run]
                     row.departs = sorted({(word, value) for each in used for _, word, value, _ in defaults.departures(each)}, key=str)
+        if not with_breaks:
+            out.rows[:0] = gate_rows(run.runner.done.values(), getattr(self.accept, "WAIVERS", []), whole=False)
+            return
         self.judge_departures(out, run, full)
         waivers = [one for one in getattr(self.accept, "WAIVERS", []) if full or not one.full]
         self.draw(out, run, full, with_figures)
@@ -550,7 +554,7 @@ def judge_case(name, options):
         if case.fault:
             raise CannotRun(case.fault)
         store = Store(options.drivers, options.out / "runs", options.out / "scratch" / name, options.threads)
-        out = case.outcome(store, options.full, options.figures)
+        out = case.outcome(store, options.full, options.figures, options.breaks)
         used = [run.folder.name for run in store.done.values()]
     except Exception as error:  # an accept.py may hold any mistake; the other cases go on
         out, used = Outcome(name, level, rows=[fault_row("the case", error)]), []
@@ -629,6 +633,7 @@ def options_of(arguments):
     parser.add_argument("--out", type=command_line.folder_to_write, default=ROOT / "out/verify", help="folder of runs, outcomes and report")
     parser.add_argument("--write", action="store_true", help="write tables and figures into the tree; needs --full for what is long")
     parser.add_argument("--no-figures", dest="figures", action="store_false", help="judge only: no figures and no report")
+    parser.add_argument("--no-breaks", dest="breaks", action="store_false", help="judge only: no breaks, studies and tables")
     parser.add_argument("--verbose", action="store_true", help="print every row of every case")
     parser.add_argument("--only-check", action="store_true", help="only say what is wrong with these words; run nothing")
     options = parser.parse_args(arguments)
@@ -637,6 +642,8 @@ def options_of(arguments):
         parser.error(f"no folder of verification/ is called {', '.join(unknown)}; there are {', '.join(names_of_all())}")
     if options.write and not options.figures:
         parser.error("--write draws figures; leave --no-figures away")
+    if not options.breaks and (options.figures or options.full):
+        parser.error("--no-breaks is for the quick level without figures: add --no-figures, and leave --full away")
     if options.only_check:
         sys.exit(0)
     if not options.stale:

@@ -13,8 +13,6 @@ volume by 4 and 12 %, and the length of that of 373 m/s is 0.758 of the first on
 doubtful. The source table has shots to 603 m/s, which the shorter table of fast_bar has not: 603 m/s (0.370), 580 (0.404) and 591
 (0.412).
 """
-from math import log, pi
-
 # standard uncertainties of the inputs over their values: no source gives one. 5 % on the yield stress is the spread of T6 from batch to
 # batch; the others are how far constants of one metal lie apart between authors
 SPREAD = {"yield": 0.05, "hardening_coefficient": 0.2, "rate_coefficient": 0.5, "thermal_exponent": 0.1, "taylor_quinney": 0.05,
@@ -23,29 +21,3 @@ SPREAD = {"yield": 0.05, "hardening_coefficient": 0.2, "rate_coefficient": 0.5, 
 SPEED = 0.005   # [-] of the measured speed: no source gives one; printed to 1 m/s, which is 0.2 % at 150 m/s
 FRICTION = 0.1  # [-] between anvil and bar, somewhere between none and this: no source gives one
 U_MEASURED = {"length": 0.01, "foot": 0.027, "belly": 0.027}  # [-] scatter of House's shots about a smooth curve: see above
-
-
-def digitised(shot):
-    """Standard uncertainty of a diameter that was read from a drawn profile. Flow keeps the volume, so what the drawn one is off the first
-    volume, V/V0 - 1, is half of it the error of diameters. [-] Zero where there is no profile.
-
-    >>> round(digitised({"diameter": 7.62, "length": 46.94, "volume": 1883.36}), 3)
-    0.06
-    >>> digitised({"diameter": 7.62, "length": 46.94, "volume": None})
-    0.0
-    """
-    if shot["volume"] is None:
-        return 0.0
-    return abs(shot["volume"] / (pi / 4 * shot["diameter"]**2 * shot["length"]) - 1) / 2
-
-
-def flow_stress(density, speed, ratio):
-    """Mean flow stress that takes a bar's energy in an even field: density speed^2 / (2 ln(L0/L)). [Pa] It orders batches by temper, by
-    measurements alone: of bars of one form and speed the one with the higher stress is harder.
-
-    >>> [round(flow_stress(2700, 262, 0.844) / 1e6), round(flow_stress(2685, 252, 0.848) / 1e6)]   # Wilkins & Guinan, Gust
-    [546, 517]
-    >>> round(flow_stress(2700, 248, 19.4 / 22.785) / 1e6)   # House
-    516
-    """
-    return density * speed**2 / (2 * log(1 / ratio))

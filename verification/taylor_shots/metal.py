@@ -1,0 +1,143 @@
+"""What the folders verification/taylor_* have in common: checks, tables, breaks and figure of one metal. See docs/experiments.md."""
+import dataclasses
+from pathlib import Path
+
+from shots import LEVELS, SIZES, computed, digitised, ended, label, measured, points, read_shots, shoot, u_inputs
+from validation import COLUMNS, SUMMARY_COLUMNS, summary, u_of_meshes
+from verify import Breaks, Check, Figure, Pair, Report, Table
+
+LOST, MESHES = "runs of three shots that did not come to their end", "numerical uncertainty of the length, worst of three shots"
+LENGTH, FOOT = "length, mean of computed over measured of three shots", "foot, mean of computed over measured of three shots"
+
+
+@dataclasses.dataclass
+class Metal:
+    """One family of bars.
+
+    like            the batch whose temper is that of the constants
+    quick           (source, label, speed, length) of three shots of that batch, which the quick suite has
+    representative  (source, label, speed, temperature) of the shots in which inputs are varied
+    spread          standard uncertainties of constants of the material over their values; likewise `speed` of the measured speed
+    friction        at the wall, somewhere between none and this
+    u_measured      {quantity: standard uncertainty over the measured value}
+    """
+    folder: Path
+    like: str
+    quick: list
+    representative: list
+    spread: dict
+    speed: float
+    friction: float
+    u_measured: dict
+
+    def __post_init__(self):
+        self.family = self.folder.name
+        self.shots = read_shots(self.folder)
+        self.three = [the(self.shots, *one) for one in self.quick]
+        self.varied = [the(self.shots, source, what, speed, temperature=temperature)
+                       for source, what, speed, temperature in self.representative]
+
+
+def the(shots, source, what, speed, length=None, temperature=None):
+    """The first shot of these."""
+    return next(shot for shot in shots if (shot["source"], shot["label"], shot["speed"]) == (source, what, speed)
+                and (length is None or abs(shot["length"] - length) < 0.02) and (temperature is None or shot["temperature"] == temperature))
+
+
+# ------------------------------------------------------------------------------------------------
+# Measures
+
+def lost(shots, levels):
+    """How many runs of these shots did not come to their end."""
+    return lambda run: Pair(sum(not ended(shoot(run, shot, level)) for shot in shots for level in levels), 0, "", scale=1)
+
+
+def of_meshes(shots):
+    """Standard numerical uncertainty of the length, the largest of these shots."""
+    return lambda run: Pair(max(u_of_meshes(SIZES, [computed(shoot(run, shot, level), shot)["length"] for level in range(len(LEVELS))])
+                                for shot in shots), 0, "", scale=1)
+
+
+def mean_ratio(shots, quantity, level):
+    """Mean of computed over measured."""
+    def measure(run):
+        ratios = [computed(shoot(run, shot, level), shot)[quantity] / measured(shot)[quantity]
+                  for shot in shots if quantity in measured(shot)]
+        return Pair(sum(ratios) / len(ratios), 1, "")
+    return measure
+
+
+def points_of(metal, run):
+    """All points of the family."""
+    of_inputs = {label(shot): u_inputs(run, shot, metal.spread, metal.speed, metal.friction) for shot in metal.varied}
+
+    def u_of_measurement(shot, quantity):
+        return (metal.u_measured[quantity]**2 + (0 if quantity == "length" else digitised(shot)**2))**0.5
+
+    return points(run, metal.family, metal.shots, lambda shot: shot["batch"], of_inputs, u_of_measurement,
+                  lambda shot, quantity: quantity == "length" and shot["seen"] == "yes")
+
+
+def hits(metal):
+    def measure(run):
+        like = [one for one in points_of(metal, run) if one.group == metal.like]
+        return Pair(sum(one.verdict() == "hit" for one in like), len(like), "")
+    return measure
+
+
+def ends(metal, run):
+    """How each shot ended on each mesh."""
+    rows = []
+    for shot in metal.shots:
+        runs = [shoot(run, shot, level) for level in range(len(LEVELS))]
+        rows.append([label(shot), shot["batch"], *(one.summary["ending"]["word"] for one in runs),
+                     f"{runs[-1].column('plastic_strain')[-1]:.2f}", f"{min(one.result('bar_smallest_corner') for one in runs):.2f}",
+                     f"{100 * max(abs(one.created()) for one in runs):.3f} %"])
+    return rows
+
+
+# ------------------------------------------------------------------------------------------------
+# What accept.py has
+
+def checks(metal):
+    alike = [shot for shot in metal.shots if shot["batch"] == metal.like]
+    agreed = "a model error of 7 % was agreed on before the first run"
+    return [
+        Check(LOST, lost(metal.three, range(len(LEVELS))), 0, "none may"),
+        Check(MESHES, of_meshes(metal.three), 0.01, "what is below 1 % hides in no comparison"),
+        Check(LENGTH, mean_ratio(metal.three, "length", 0), 0.07, agreed),
+        Check(FOOT, mean_ratio(metal.three, "foot", 0), 0.15,
+              "twice that: the foot depends on the flow stress at one place and on friction there"),
+        Check("runs of all shots that did not come to their end", lost(metal.shots, range(len(LEVELS))), 0, "none may", full=True),
+        Check("length, mean of computed over measured of the batch of the constants", mean_ratio(alike, "length", len(LEVELS) - 1), 0.07,
+              agreed, full=True),
+        Report("hits among the points of the batch of the constants", hits(metal), "the model error of a hit cannot be told", full=True),
+    ]
+
+
+def studies(metal):
+    return [
+        Table("Bias and scatter by quantity and batch.", SUMMARY_COLUMNS, lambda run: summary(points_of(metal, run)), full=True),
+        Table("All points.", list(COLUMNS), lambda run: [one.row() for one in points_of(metal, run)], full=True),
+        Table("How each shot ended on three meshes; largest plastic strain, smallest corner, energy created.",
+              ["shot", "batch", "coarse", "middle", "fine", "strain", "corner", "created"], lambda run: ends(metal, run), full=True),
+    ]
+
+
+def breaks(half_of_the_yield_stress):
+    soft = {"bodies[0].material.rate_coefficient": 0, "bodies[0].material.yield": half_of_the_yield_stress}
+    said = "the rate forgotten, and half of the yield stress"
+    return [
+        Breaks(LOST, "ended too early", {"time.end": "10 us"}),
+        Breaks(LENGTH, said, soft),
+        Breaks(FOOT, said, soft),
+        Breaks(MESHES, "hourglass springs, which do not flow", {"bodies[0].element.hourglass_kind": "stiffness"}, full=True),
+    ]
+
+
+def figures(metal):
+    shots = sorted(metal.three, key=lambda shot: shot["speed"])
+    speeds = [shot["speed"] for shot in shots]
+    return [Figure("length", "speed [m/s]", "final length over first length",
+                   lambda run: [("Nereid", speeds, [computed(shoot(run, shot, 0), shot)["length"] for shot in shots])],
+                   exact=lambda _: [("measured", speeds, [measured(shot)["length"] for shot in shots])], caption="Lengths of three shots.")]
