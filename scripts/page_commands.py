@@ -44,6 +44,8 @@ COMMANDS = {
     # README
     "scripts/reproduce_cask_drop": Instead("", BUILDS),
     "scripts/run_tests": Instead("", BUILDS),
+    "cmake --preset release": Instead("", BUILDS),
+    "cmake --build --preset release --target scene": Instead("", BUILDS),
     "scripts/verify": Instead("scripts/verify.py --only-check", "installs and builds; all cases are run by scripts/run_tests"),
     "scripts/invariance CASE": Instead("scripts/invariance cases/two_blocks/bars.yaml --only rotated", TEMPLATE),
     "scripts/slides --jobs 2": Instead("scripts/slides --jobs 2 --count 2", HOURS),
@@ -93,7 +95,7 @@ COMMANDS = {
         Instead("ffmpeg -framerate 25 -i out/head/frames/frame_%04d.png head.mp4", "a program that need not be there", needs="ffmpeg"),
     # docs/running.md
     "DRIVER CASE.yaml --out DIR [--set key=value]... [--threads N] [--quiet] [--dry-run] "
-    "[--checkpoint-every TIME] [--resume] [--accuracy 2% --of RESULT]":
+    "[--checkpoint-every TIME] [--resume] [--accuracy 2% [--of RESULT] [--longest MINUTES]]":
         Instead(f"{SCENE} cases/scene/taylor_bar.yaml --out out/all --set time.safety=0.8 --threads 2 --quiet --dry-run "
                 "--checkpoint-every '1 ms'", "a form"),
     f"{SCENE} case.yaml --out out/run --checkpoint-every '1 ms'":
