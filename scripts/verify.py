@@ -42,6 +42,7 @@ import time
 import traceback
 from pathlib import Path
 
+import break_size
 import command_line
 import defaults
 import gates
@@ -334,8 +335,9 @@ class Broken:
         return getattr(self.run, name)
 
 
-def break_row(one, checks, run):
-    """The line of a break: the run with the mistake in it, and the check that must notice."""
+def break_row(one, checks, run, full=False):
+    """The line of a break: the run with the mistake in it, and the check that must notice, by a number. On the full level also the
+    smallest part of the mistake that it was seen to notice."""
     check = checks[one.check]
     name = f"*must fail:* {one.mistake} → {one.check}"
     broken = Broken(run, one)
@@ -344,9 +346,24 @@ def break_row(one, checks, run):
         broken.need_end()
     except Stopped as ending:
         return Row("break", name, "", f"stops: {ending}", "", "", "FAIL: no number to fail by", False)
-    noticed = not pair.error() <= check.within
-    return Row("break", name, shown(pair.expected, pair.unit), shown(pair.got, pair.unit), share(pair.error()), share(check.within),
-               "fails, as it must" if noticed else "FAIL: not noticed", noticed, "", pair.error(), check.within)
+    noticed = math.isfinite(pair.got) and pair.error() > check.within
+    word = "fails, as it must" if noticed else "FAIL: not noticed" if math.isfinite(pair.got) else "FAIL: no number to fail by"
+    smallest = break_size.smallest(one, run, broken, lambda part: error_with(part, check, run), pair.error(), check.within,
+                                   check.measure(run).error()) if full and noticed and not one.case else None
+    error = share(pair.error()) + (f", noticed from {share(smallest)} on" if smallest is not None else "")
+    return Row("break", name, shown(pair.expected, pair.unit), shown(pair.got, pair.unit), error, share(check.within), word, noticed, "",
+               pair.error(), check.within)
+
+
+def error_with(one, check, run):
+    """The error of a check with a part of a mistake; none where the run ends early."""
+    broken = Broken(run, one)
+    try:
+        error = check.measure(broken).error()
+        broken.need_end()
+        return error
+    except Stopped:
+        return math.nan
 
 
 def study_row(one, checks, run):
@@ -459,7 +476,7 @@ class Case:
                     out.rows.append(row)
                     out.studies.append((one.check, one.along, sizes, errors))
                 else:
-                    out.rows.append(break_row(one, checks, run) if isinstance(one, Breaks) else check_row(one, run))
+                    out.rows.append(break_row(one, checks, run, full) if isinstance(one, Breaks) else check_row(one, run))
             except Exception as error:  # whatever a case does wrong is a check that fails, and the others still run
                 name = getattr(one, "title", None) or getattr(one, "mistake", None) or getattr(one, "name", None) or one.check
                 out.rows.append(fault_row(name, error))

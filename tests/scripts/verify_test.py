@@ -1,5 +1,6 @@
 """scripts/verify.py tells right from wrong: rows, studies and breaks on runs that are made up here."""
 import contextlib
+import doctest
 import io
 import math
 import re
@@ -82,6 +83,31 @@ class RowsTest(unittest.TestCase):
     def test_a_break_must_be_noticed(self):
         self.assertTrue(verify.break_row(Breaks("answer", "a mistake", {"mistake": "made"}), CHECKS, MadeUp()).good)
         self.assertFalse(verify.break_row(Breaks("answer", "none", {"mistake": "not made"}), CHECKS, MadeUp()).good)
+
+    def test_a_break_that_gives_no_number_is_not_noticed(self):
+        lost = {"lost": Check("lost", lambda run: Pair(math.nan if run.keys else 2, 2), 0.01, "made up")}
+        row = verify.break_row(Breaks("lost", "a mistake", {"mistake": "made"}), lost, MadeUp())
+        self.assertEqual((row.good, row.word), (False, "FAIL: no number to fail by"))
+
+    def test_the_full_level_says_from_where_on_a_break_is_noticed(self):
+        class Sized(MadeUp):
+            """Its error is that of `size`, 0.1 where nothing is set."""
+
+            def case(self, key):
+                return float(self.keys.get(key, 0.01))
+
+            def again(self, change):
+                made = Sized(float({**self.keys, **change}["size"]) / 10)
+                made.keys = {**self.keys, **change}
+                made.summary["provenance"]["resolved"] = {"size": {"value": made.case("size"), "unit": "1"}}
+                return made
+
+        run = Sized()
+        run.summary["provenance"]["resolved"] = {"size": {"value": 0.01, "unit": "1"}}
+        row = verify.break_row(Breaks("answer", "a mistake", {"size": "1"}), CHECKS, run, full=True)
+        self.assertTrue(row.good)
+        share = float(re.search("noticed from (.*) % on", row.error)[1])  # the limit of 1 % is at 0.1, ten times the right size
+        self.assertTrue(900 < share < 1300, row.error)
 
     def test_a_break_may_be_another_case_file(self):
         self.assertTrue(verify.break_row(Breaks("answer", "a mistake", case="wrong.yaml"), CHECKS, MadeUp()).good)
@@ -205,7 +231,7 @@ class CaseTest(unittest.TestCase):
 class ReferencesTest(unittest.TestCase):
     def test_references_give_the_numbers_of_the_catalogue(self):
         """Each reference.py has doctests; they run here."""
-        import doctest
+
         import importlib.util
         for name in verify.names_of_all():
             path = verify.ROOT / "verification" / name / "reference.py"
@@ -224,6 +250,11 @@ class ReferencesTest(unittest.TestCase):
             imported = [line.split()[1].split(".")[0] for line in text.splitlines() if line.startswith(("import ", "from "))]
             with self.subTest(name):
                 self.assertLessEqual(set(imported), allowed)
+
+
+def load_tests(_, tests, __):
+    tests.addTests(doctest.DocTestSuite(verify.break_size))
+    return tests
 
 
 class AddingTest(unittest.TestCase):
