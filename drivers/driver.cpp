@@ -438,7 +438,8 @@ Ran run_case(const std::string& name, const CommandLine& line, output::RunFolder
     std::printf("%s\n", model::energy_line(simulation).c_str());
   }
   if (dynamics::good(outcome.ending)) {
-    if (!line.quiet) std::printf("ended at %.6g s: %s\n", simulation.state.t, summary.ending.word.c_str());
+    const std::string why = outcome.ending == dynamics::Ending::stopped_by_condition ? ": " + outcome.reason : "";
+    if (!line.quiet) std::printf("ended at %.6g s: %s%s\n", simulation.state.t, summary.ending.word.c_str(), why.c_str());
     return ran;
   }
   ran.status = outcome.ending == dynamics::Ending::interrupted ? interrupted : stopped;
@@ -615,7 +616,8 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
       ->expected(1)
       ->allow_extra_args(false)  // else it would swallow the case that follows it
       ->take_all();
-  app.add_option("--threads", line.threads, "threads; results do not depend on them")->check(CLI::Range(1, most_threads));
+  app.add_option("--threads", line.threads, "threads, by default one for each core; results do not depend on them")
+      ->check(CLI::Range(1, most_threads));
   app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps, forecast the run, and stop");
   app.add_flag("--quiet", line.quiet, "print faults only");
   const auto is_part = [](const std::string& text) {

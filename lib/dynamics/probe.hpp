@@ -25,6 +25,7 @@ struct Probe {
   std::function<double(const View&, Kept&)> value;
   bool is_mean = false;  ///< over the time since the look before, as a force from its impulse; else the value at the look
   FollowsMesh follows_mesh = FollowsMesh::no;
+  std::function<double(const View&, Kept&)> mean = {};  ///< of one that follows the mesh: the mean of the same elements
   std::vector<std::size_t> inputs = {};  ///< of a formula: places of the probes that it takes, all before it
   std::function<double(const std::vector<double>& inputs, double t)> formula = {};  ///< in the place of `value`
   int footing = -1;      ///< in State::footings: of the contact or rigid plane whose force it is; -1: it is none

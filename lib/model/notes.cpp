@@ -42,6 +42,8 @@ std::vector<std::string> pairs_found(const Simulation& simulation, std::size_t c
     const double gap = memory.gap[static_cast<std::size_t>(near.apex)];
     if (bodies.count() == 0 || facet < 0 || gap < -contact::slight * interface.margin) continue;  // those behind are in no contact
     const Index one = bodies.of_apex[static_cast<std::size_t>(near.apex)], other = bodies.of_facet[static_cast<std::size_t>(facet)];
+    const bool beside_it = memory.feature[static_cast<std::size_t>(near.apex)].kind != geometry::Kind::facet;
+    if (one == other && beside_it) continue;  // along its own surface, as on any convex body
     Pair& pair = found[{std::min(one, other), std::max(one, other)}];
     ++pair.apexes, pair.least = std::min(pair.least, gap);
   }
@@ -346,6 +348,7 @@ constexpr double concentration_worth_a_warning = 0.17;  // [-] where bodies flow
 constexpr double flow = 0.01;                           // [-] of the energy of the scene, dissipated by plasticity
 constexpr double nodes_worth_no_note = 4;               // [-]
 constexpr double plates_worth_a_note = 0.01;            // [-] of the energy of the scene
+constexpr double viscous_worth_a_note = 0.1;            // [-] likewise
 constexpr double of_noted = 45, of_warned = 80;         // [%] that change by more than 5 % on a mesh twice as fine
 
 /// The block that has most of a part of the contrast, as a place in Model::blocks.
@@ -393,6 +396,18 @@ std::vector<std::string> contacts_that_give_back(const Simulation& simulation) {
       if (interface->kind != contact::InterfaceKind::tied) look(*interface);
   for (const auto& plane : model.rigid_planes) look(plane);
   return names;
+}
+
+bool is_fluid(const element::AnyBlock& any) {
+  return std::visit([]<class Kind, class Law>(const element::Block<Kind, Law>&) { return std::is_same_v<Kind, element::Fluid>; }, any);
+}
+
+/// Whether the largest value of a probe is larger than the mean of the same elements: that of an even field follows no mesh.
+bool is_uneven(const dynamics::Probe& probe, const Simulation& simulation) {
+  constexpr double even = 1.02;
+  const dynamics::View view{simulation.model, simulation.state, simulation.forces, false};
+  dynamics::Kept kept;
+  return probe.value(view, kept) > even * probe.mean(view, kept);
 }
 
 }  // namespace
@@ -502,6 +517,12 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
                     then);
   }
   const double scale = dynamics::energy_of_scene(now.ledger);
+  double viscous = 0;  // [J] of solids and plates: shocks in fluids dissipate
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    if (!is_fluid(model.blocks[b])) viscous += now.ledger.accounts[b].dissipated[Dissipated::viscous];
+  if (scale > 0 && viscous > viscous_worth_a_note * scale)
+    notes.push_back(formatted("the viscosity of shocks dissipated %.2g of the energy of the scene in solids and plates: on this mesh "
+                              "waves are as short as its elements: ", viscous / scale) + said(Remedy::estimate_error));
   std::vector<std::string> plates, plastic, of_one_point;  // names
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const dynamics::Quality& seen = now.quality[b];
@@ -514,7 +535,7 @@ std::vector<std::string> mesh_notes(const Simulation& simulation) {
     notes.push_back(joined(plates) + ": one run cannot estimate the error of a mesh of plates: " + said(Remedy::estimate_error));
   for (std::size_t p = 0; p < simulation.probes.size() && p < now.probes.size(); ++p) {
     const dynamics::Probe& probe = simulation.probes[p];
-    if (probe.follows_mesh != dynamics::FollowsMesh::no && now.probes[p].largest > 0)
+    if (probe.follows_mesh != dynamics::FollowsMesh::no && now.probes[p].largest > 0 && is_uneven(probe, simulation))
       (probe.follows_mesh == dynamics::FollowsMesh::yes ? plastic : of_one_point).push_back(probe.name);
     if (probe.footing < 0 || static_cast<std::size_t>(probe.footing) >= now.footings.size()) continue;
     const double nodes = now.footings[static_cast<std::size_t>(probe.footing)].nodes;

@@ -492,11 +492,17 @@ std::vector<dynamics::Probe> make_probes(const Scene& scene, const dynamics::Mod
     }
     const Measurable* quantity = find_measurable(probe.quantity);
     if (probe.near && faults.empty()) remarks.push_back(gauge_line(probe, scene, model, faults));
+    Probe of_all = probe;
+    of_all.largest = false;
+    const dynamics::FollowsMesh follows = follows_mesh(probe, model);
     made.push_back({.name = probe.name,
                     .unit = quantity->unit,
                     .value = measure(probe, *quantity, scene, model, at_start, faults),
                     .is_mean = is_mean(probe, model),
-                    .follows_mesh = follows_mesh(probe, model),
+                    .follows_mesh = follows,
+                    .mean = follows == dynamics::FollowsMesh::no || !faults.empty()
+                                ? decltype(dynamics::Probe::mean){}
+                                : measure(of_all, *quantity, scene, model, at_start, faults),
                     .inputs = {},
                     .formula = {},
                     .footing = footing_of(probe, model)});

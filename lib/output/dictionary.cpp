@@ -293,7 +293,7 @@ const std::vector<Described>& described_summary() {
       // How the run ended
       {"driver", "", "Name of the program."},
       {"ending.word", "", "How the run ended: reached_end, stopped_by_condition, relaxed, interrupted, or what stopped it."},
-      {"ending.reason", "", "The sentence of an ending before the end."},
+      {"ending.reason", "", "Why a run ended before its end: the condition of `stop` that was met, or what went wrong."},
       {"ending.time", "s", "Time at the end."},
       {"ending.block", "", "The body whose element stopped the run, or null."},
       {"ending.element", "", "The element that stopped the run, or null."},
@@ -320,8 +320,8 @@ const std::vector<Described>& described_summary() {
       {"ledger.initial_angular_momentum", "kg m2/s", "Angular momentum about the origin at the start."},
       {"ledger.angular_momentum", "kg m2/s", "Angular momentum about the origin at the end."},
       {"ledger.angular_momentum_residual", "kg m2/s", "Angular momentum that no impulse explains: round-off."},
-      {"ledger.accounts.SOURCE.kind", "", "What makes the force: block (of a body), interface, rigid_plane, a plane, a load, relaxation "
-       "or gravity."},
+      {"ledger.accounts.SOURCE.kind", "", "What makes the force: block (of a body), interface, rigid_plane, a plane, a load, spring, "
+       "relaxation or gravity."},
       {"ledger.accounts.SOURCE.work", "J", "Work on the nodes since the start: positive speeds them up."},
       {"ledger.accounts.SOURCE.stored.STORE", "J", "What it holds, less that at the start."},
       {"ledger.accounts.SOURCE.dissipated.LOSS", "J", "What it has dissipated."},

@@ -375,6 +375,9 @@ TEST(MeshNotes, SayWhichProbesFollowTheMesh) {
   EXPECT_EQ(simulation.probes[2].follows_mesh, dynamics::FollowsMesh::no);
   run(simulation);
   simulation.state.probes.resize(3), simulation.state.probes[1].largest = 0.01;
+  const auto shows = [](double what) { return [what](const dynamics::View&, dynamics::Kept&) { return what; }; };
+  ASSERT_TRUE(simulation.probes[1].mean);
+  simulation.probes[1].value = shows(0.01), simulation.probes[1].mean = shows(0.005);
   simulation.state.quality[0] = {}, simulation.state.quality[1] = {};
   simulation.state.footings = {{.force = 1, .nodes = 2.5}};
   auto notes = mesh_notes(simulation);
@@ -386,8 +389,15 @@ TEST(MeshNotes, SayWhichProbesFollowTheMesh) {
   EXPECT_EQ(mesh_notes(simulation).size(), 1U);
   simulation.probes[1].follows_mesh = dynamics::FollowsMesh::yes;
   EXPECT_TRUE(says(mesh_notes(simulation)[0], said(Remedy::estimate_error)));
+  simulation.probes[1].mean = shows(0.0099);
+  EXPECT_TRUE(mesh_notes(simulation).empty()) << "an even field";
+  simulation.probes[1].mean = shows(0.005);
   simulation.state.probes[1].largest = 0;
   EXPECT_TRUE(mesh_notes(simulation).empty()) << "nothing has flowed";
+  simulation.state.ledger.accounts[0].dissipated[Dissipated::viscous] = 0.11, simulation.state.ledger.initial_available = 1;
+  notes = mesh_notes(simulation);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(says(notes[0], "the viscosity of shocks dissipated 0.11 of the energy")) << notes[0];
 }
 
 /// A strip 1 m long and 10 mm thick, clamped, with a force at its other end, after a swing to one side; cells along it.

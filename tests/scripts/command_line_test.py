@@ -92,6 +92,8 @@ TABLE = [
     ("report", "{run} --at {one}", "is no time", ("x", "nan", "inf", "1km")),
     ("report", "{run} --probes nosuch", "no probe is called 'nosuch'; there are: none"),
     ("report", "{run} --quick --at 1", "leave --at and --field away"), ("report", "{run} --quick --field x", "leave --at and --field away"),
+    ("report", "{run} --text", "expected are two folders or more"), ("report", "{run} {there} --text", "is no run"),
+    ("report", "{run} {run} --text --quick", "leave the other options away"),
     ("report", "{run} --quick --out {there}", "expected is a file"),
     ("report", "{run} --quick --out {file}/a.html", "expected is a folder"),
     ("report", "{run} --quick --out /proc/nosuch/a.html", "cannot be written"),

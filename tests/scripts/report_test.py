@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -19,11 +20,13 @@ except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
 import frames  # noqa: E402
+import report_compare  # noqa: E402
 import report_energy  # noqa: E402
 import report_results  # noqa: E402
 import report_run  # noqa: E402
 import report_scene  # noqa: E402
 import report_text  # noqa: E402
+import screen  # noqa: E402
 from made_up import script  # noqa: E402
 
 NOTES = ["initial gaps   apexes  on facet", "touch              36        36", "               penalty 2e7 Pa/m",
@@ -211,7 +214,8 @@ class ReportTest(unittest.TestCase):
 
     def test_differences(self):
         for ours, theirs, expected in ((1.0, 1.0, "0"), (1.0, 1.02, "+2 %"), (2.0, 1.0, "<b>−50 %</b>"), (0.0, 1.0, "from 0"),
-                                       (1.0, None, "–"), (1e-15, -1e-15, "0"), (float("nan"), 1.0, "–")):
+                                       (-584.0, -173.0, "<b>+70.4 %</b>"), (-1.0, -2.0, "<b>−100 %</b>"), (1.0, None, "–"),
+                                       (1e-15, -1e-15, report_results.ROUND_OFF), (float("nan"), 1.0, "–")):
             self.assertEqual(report_results.difference(ours, theirs, 1e-9), expected)
 
     def test_numbers_have_units_with_prefixes(self):
@@ -224,11 +228,177 @@ class ReportTest(unittest.TestCase):
     def test_energies_add_up(self):
         run, = report_run.read([self.run_of()])
         groups, outside = report_energy.over_time(run)
-        self.assertEqual({name: list(values) for name, values in groups.items()}, {"kinetic": [100, 60, 90], "elastic": [0, 40, 10]})
+        self.assertEqual({name: list(values) for name, values in groups.items()}, {"kinetic": [100, 60, 90], "bodies: elastic": [0, 40, 10]})
         self.assertFalse(outside.any())
         self.assertEqual(sum(groups.values()).tolist(), [100, 100, 100])
         created, limit = report_energy.created_over_time(run)
         self.assertEqual((list(created), limit), (["bar"], 5.0))
+
+    def test_every_source_is_in_a_group_of_its_own_kind(self):
+        kinds = {"bar": "block", "touch": "interface", "wall": "rigid_plane", "base": "fixed", "push": "pressure", "rope": "spring",
+                 "rim": "radiation", "relaxation": "relaxation", "gravity": "gravity", "bar_elastic": "nosuch"}
+        channels = {"bar": {"stored": ["elastic", "hourglass"], "dissipated": ["plastic", "inelastic_impact"]},
+                    "touch": {"stored": ["restitution"], "dissipated": ["friction"]}, "wall": {"dissipated": ["friction"]},
+                    "base": {"dissipated": ["inelastic_impact"]}, "push": {"stored": ["external_work"]},
+                    "rope": {"stored": ["elastic"], "dissipated": ["damping"]}, "rim": {"dissipated": ["radiated"]},
+                    "relaxation": {"dissipated": ["removed"]}, "gravity": {"stored": ["potential"]},
+                    "bar_elastic": {"stored": ["elastic"], "dissipated": ["nosuch"]}}
+        expected = {"kinetic": 1, "bodies: elastic": 1, "bodies: plastic": 1, "bodies: hourglass and other artificial": 1,
+                    "bodies: inelastic impact": 1, "contacts: stored": 1, "contacts: friction": 1, "planes: friction": 1,
+                    "planes: inelastic impact": 1, "springs: elastic": 1, "springs: damping": 1, "relaxation: removed": 1,
+                    "loads: radiated": 1, "others": 2}
+        columns = [f"energy_{name}_{one}" for name, some in channels.items() for part in some.values() for one in part]
+        head = ",".join(["time [s]", "energy_kinetic [J]", *(f"{column} [J]" for column in columns)])
+        folder = self.run_of(history=head + "\n" + ",".join(["0"] + ["1"] * (len(columns) + 1)) + "\n")
+        made = summary()
+        made["ledger"]["accounts"] = {name: {**account(kind), **{key: {one: quantity(1.0, "J") for one in channels[name].get(key, [])}
+                                                                for key in ("stored", "dissipated")}} for name, kind in kinds.items()}
+        (folder / "summary.json").write_text(json.dumps(made))
+        run, = report_run.read([folder])
+        groups, outside = report_energy.over_time(run)
+        self.assertEqual(({name: values[0] for name, values in groups.items()}, outside[0]), (expected, -2))
+        end = report_energy.at_end(run)
+        self.assertEqual({name: end[name] for name in [*expected][1:]}, {name: expected[name] for name in [*expected][1:]})
+        self.assertEqual((end["work of loads"], end["work of gravity"]), (-1, -1))
+        (folder / "summary.json").unlink()  # kinds are unknown: by channels alone, and the relaxation by its name
+        groups, _ = report_energy.over_time(report_run.read([folder])[0])
+        self.assertEqual({name: values[0] for name, values in groups.items() if name not in ("kinetic", "elastic")}, {
+            "stored": 1, "plastic": 1, "hourglass and other artificial": 1, "friction": 2, "inelastic impact": 2, "damping": 1,
+            "radiated": 1, "relaxation: removed": 1, "others": 1})
+
+    def test_every_kind_of_source_has_a_group(self):
+        text = (ROOT / "lib/base/account.hpp").read_text()
+        words = re.findall('"(\\w+)"', re.search(r"words_of_source_kinds\{(.*?)\}", text, re.S).group(1))
+        self.assertEqual(set(words), set(report_energy.FAMILIES))
+        for name in ("stored", "dissipated"):
+            for channel in re.findall('"(\\w+)"', re.search(rf"words_of_{name}\{{(.*?)\}}", text, re.S).group(1)):
+                self.assertTrue(channel in report_energy.CHANNELS, channel)
+
+    def changed(self, name, change, **words):
+        """A run whose summary is changed by a function."""
+        folder = self.run_of(name, **words)
+        made = json.loads((folder / "summary.json").read_text())
+        change(made)
+        (folder / "summary.json").write_text(json.dumps(made))
+        return folder
+
+    def test_the_set_up_shows_what_the_case_says_of_plates_and_of_the_relaxation(self):
+        def change(made):
+            case = made["provenance"]["resolved"]
+            case["bodies"][0].update(element={"thickness": said(0.002, "m"), "layers": said(5, "1", True)}, rigid=said(True),
+                                     move=said([0.0, 0.0, 0.1], "m"))
+            case["relaxation"] = {"after": said(0.005, "s"), "residual": said(1e-7, "1"), "samples": said(5, "1", True)}
+            made["ledger"]["accounts"]["relaxation"] = account("relaxation")
+
+        text = self.page(self.changed("one", change))
+        self.assertIn("<td>thickness 2 mm</td>", text)
+        self.assertIn("<td>elastic, rigid</td>", text)
+        self.assertIn("move [0, 0, 0.1] m", text)
+        self.assertRegex(text, "<td>relaxation</td><td>relaxation</td><td>after 5 ms, residual 1e-07</td>")
+
+    def test_set_ups_that_differ_are_not_told_to_be_the_same(self):
+        def thick(size, default):
+            def change(made):
+                made["provenance"]["resolved"]["bodies"][0]["element"] = {"thickness": said(size, "m", default)}
+            return change
+
+        same = "the same as of A"
+        for default in (False, True):  # a default is in no table of the set-up
+            one, two, three = (self.changed(f"{default}_{i}", thick(size, default)) for i, size in enumerate((0.002, 0.003, 0.003)))
+            self.assertNotIn(same, self.page(one, two))
+            self.assertIn("the same as of B", self.page(one, two, three))
+            self.assertIn(same, self.page(two, three))
+
+    def test_the_page_says_what_differences_and_created_energy_are(self):
+        text = self.page(self.run_of("coarse"), self.run_of("fine", tip=0.0021))
+        self.assertIn("in per cent of the magnitude of A; positive: B is larger", text)
+        self.assertIn("spurious energy in the account of one source, whose work, stores and losses do not add up to zero", text)
+
+    def test_noise_has_no_difference(self):
+        def smallest(value, other):
+            def change(made):
+                made["results"]["tip_smallest"], made["results"]["plain"] = quantity(value, "m"), quantity(other, "m")
+            return change
+
+        one, two = self.changed("one", smallest(1e-12, 1e-13)), self.changed("two", smallest(1.9e-12, -1e-12))
+        text = self.page(one, two)
+        for name in ("tip_smallest", "plain"):
+            self.assertRegex(text, f"<td>{name}</td>(?:(?!</tr>).)*{report_results.ROUND_OFF}")
+        two = self.changed("three", smallest(1e-8, 1e-8))
+        for name in ("tip_smallest", "plain"):
+            self.assertNotRegex(self.page(one, two), f"<td>{name}</td>(?:(?!</tr>).)*{report_results.ROUND_OFF}")
+
+    def test_differences_as_text(self):
+        text = report_compare.text(report_run.read([self.run_of("coarse"), self.run_of("fine", friction=0.3, tip=0.0021)]))
+        self.assertRegex(text, r"contacts\[0\].friction +0.2 +0.3\n")
+        self.assertRegex(text, r"tip_last +mm +2 +2.1 +[+]5 %\n")
+        self.assertRegex(text, r"bodies: elastic +10 +10 % +10 +10 %\n")
+        self.assertNotRegex(text, "<|&")
+        text = report_compare.text(report_run.read([self.run_of("whole"), self.run_of("cut", finished=False)]))
+        self.assertIn("B: summary.json is missing", text)
+
+    def test_a_length_of_zero_has_a_unit(self):
+        class Flat:
+            def box(self):
+                return report_scene.np.array([[0.0, 0.1], [0.0, 0.02], [0.0, 0.0]])
+
+        self.assertRegex(report_scene.size_of(Flat()), "100.mm × 20.mm × 0.mm")
+
+    def test_a_picture_is_drawn_again_after_a_fault(self):
+        os.environ.get("DISPLAY") or self.enterContext(unittest.mock.patch.dict(os.environ, {"DISPLAY": ":0"}))
+        counted = self.root / "tries"
+        counted.write_text("")
+
+        def work(faults):
+            counted.write_text(counted.read_text() + "x")
+            if len(counted.read_text()) <= faults:
+                os.abort()
+            return "drawn"
+
+        with unittest.mock.patch.dict(os.environ, {"PATH": ""}):  # no other display
+            self.assertEqual(screen.drawn(lambda: work(screen.TRIES - 1)), "drawn")
+            self.assertEqual(len(counted.read_text()), screen.TRIES)
+            counted.write_text("")
+            with self.assertRaisesRegex(screen.NotDrawn, "3 tries failed: the process that draws ended by signal 6"):
+                screen.drawn(lambda: work(99))
+            self.assertEqual(len(counted.read_text()), screen.TRIES)
+            with self.assertRaisesRegex(screen.NotDrawn, "ended with status 1"):  # as of Xlib without its display
+                screen.drawn(lambda: os._exit(1))
+            with self.assertRaisesRegex(SystemExit, "said"):
+                screen.drawn(lambda: sys.exit("said"))
+
+    def test_each_try_has_a_display_of_its_own(self):
+        screens, places = screen.Screens(), []
+        with unittest.mock.patch.dict(os.environ, {"DISPLAY": ":of_the_user"}), unittest.mock.patch.object(screen, "SCREENS", screens):
+            screens.start = lambda: setattr(screens, "server", unittest.mock.Mock()) or places.append(screens)
+            screens.authority = unittest.mock.Mock()
+            with unittest.mock.patch.object(screen.shutil, "which", return_value="/Xvfb"), self.assertRaises(screen.NotDrawn):
+                screen.drawn(lambda: os.abort())
+        self.assertEqual(len(places), screen.TRIES - 1)  # the first try was on the display of the user
+
+    @unittest.skipIf(importlib.util.find_spec("vtk") is None, "no VTK")
+    def test_a_report_without_a_picture_is_written(self):
+        folder, programs = self.run_of(), self.root / "programs"
+        write_frame(folder / "0.vtu", True)
+        (folder / "body.pvd").write_text('<VTKFile><Collection><DataSet timestep="0" file="0.vtu"/></Collection></VTKFile>')
+        programs.mkdir()
+        (programs / "Xvfb").write_text("#!/bin/sh\nexit 1\n")
+        (programs / "Xvfb").chmod(0o755)
+        environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
+        environment.pop("DISPLAY", None)
+
+        def made(script):
+            done = subprocess.run([sys.executable, ROOT / "scripts" / script, folder], capture_output=True, text=True, timeout=120,
+                                  env=environment)
+            return done.returncode, done.stderr.splitlines()
+
+        status, lines = made("report")
+        self.assertEqual(status, 0)
+        self.assertEqual((folder / "report.html").read_text().count("This picture could not be drawn: 3 tries failed"), 3)
+        self.assertEqual(len(lines), 3, lines)
+        for line in lines:
+            self.assertRegex(line, "report: no picture '.*': 3 tries failed: Xvfb did not start")
+        self.assertEqual(made("view.py"), (1, ["view.py: 3 tries failed: Xvfb did not start"]))
 
     def test_times_have_units(self):
         time_of = script("report").time_of
@@ -246,7 +416,7 @@ class ReportTest(unittest.TestCase):
             self.assertEqual((numbers.tolist(), names), ([0], {0: "bar"} if deformed else {}))
             self.assertEqual([frames.unit_of(data, name) for name in ("displacement", "stress")], ["m", ""])
 
-    @unittest.skipIf(importlib.util.find_spec("vtk") is None or not (os.environ.get("DISPLAY") or shutil.which("xvfb-run")), "no screen")
+    @unittest.skipIf(importlib.util.find_spec("vtk") is None or not (os.environ.get("DISPLAY") or shutil.which("Xvfb")), "no screen")
     def test_frames_are_drawn(self):
         folder = self.run_of()
         write_frame(folder / "0.vtu", True)
