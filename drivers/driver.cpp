@@ -617,6 +617,7 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
       ->allow_extra_args(false)  // else it would swallow the case that follows it
       ->take_all();
   app.add_option("--threads", line.threads, "threads, by default one for each core; results do not depend on them")
+      ->envname("NEREID_THREADS")
       ->check(CLI::Range(1, most_threads));
   app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps, forecast the run, and stop");
   app.add_flag("--quiet", line.quiet, "print faults only");

@@ -1,5 +1,7 @@
 """Two runs of one scene compared: histories, last frames, ledgers, and the bytes of what they wrote.
 
+This is a module of checks and no command: `scripts/report A B --text` prints what differs between two runs.
+
 The results of the twin are carried back by the transformation that made it (Carry), so that vectors and tensors are compared, too.
 """
 import csv

@@ -34,6 +34,14 @@ def run(words, **options):
     return subprocess.run(words, preexec_fn=lambda: ends_with_parent(parent), **options)
 
 
+def start(words, **options):
+    """As subprocess.Popen, of a program whose path is whole; it does not outlive this process either."""
+    if SETPRIV:
+        return subprocess.Popen([SETPRIV, "--pdeathsig", "KILL", "--", *words], **options)
+    parent = os.getpid()
+    return subprocess.Popen(words, preexec_fn=lambda: ends_with_parent(parent), **options)
+
+
 def keep_freed_memory():
     """Memory that is freed stays with this process: arrays that come and go cost half of a judge's time otherwise. Does nothing but with
     glibc."""

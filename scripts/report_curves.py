@@ -1,6 +1,4 @@
 """Histories and energy balance of a report."""
-import math
-
 import numpy as np
 
 import figure_report as figures
@@ -172,8 +170,8 @@ def energy_diagrams(run, times):
         few = dict(sorted(created.items(), key=lambda one: -float(np.nanmax(np.abs(one[1]))))[:6])
         svg = figures.created_figure(run.columns[run.first] / across_factor, few, across, limit, 1e-13)
         more = f" The six largest of {len(created)} sources." if len(created) > 6 else ""
-        said = ("Created energy: spurious energy that no account explains, over the energy of the scene "
-                f"({plain_quantity(run.ledger('energy_scale'), 'J', 4)}); magnitudes.{more}")
+        said = ("Created energy: spurious energy in the account of one source, whose work, stores and losses do not add up to zero; its "
+                f"magnitude over the energy of the scene ({plain_quantity(run.ledger('energy_scale'), 'J', 4)}).{more}")
         parts.append(picture(svg, "svg+xml", f"created energy of {run.name}", said, "width:100%;max-width:56rem"))
     elif run.summary:
         parts.append("<p class=quiet>No source created or lost energy.</p>")
@@ -186,21 +184,7 @@ def balance_table(runs):
     """Where the energy is at the end, a column for each run."""
     if not runs:
         return ""
-    ends = [energy.at_end(run) for run in runs]
-    names = list(dict.fromkeys(name for end in ends for name in end))
-    most = max((abs(value) for end in ends for value in end.values() if math.isfinite(value)), default=0.0)
-    factor, shown = scale_of(most, "J")
-    rows = []
-    for name in names:
-        if any(abs(end.get(name, 0.0)) > ROUND_OFF * most for end in ends) or name == "residual":
-            row = [esc(name)]
-            for run, end in zip(runs, ends):
-                scale = run.ledger("energy_scale")
-                part = end[name] / scale if name in end and scale > 0 else math.nan
-                row += [number(end[name] / factor) if name in end else "–", share(part)]
-            rows.append(row)
-    columns = ["", *(text for run in runs for text in ((f"{named(run)} " if run.key else "") + f"[{shown}]", "of the scene"))]
-    return table(columns, rows, "t" + "nn" * len(runs), "The balance at the end.")
+    return table(*energy.balance(runs), "t" + "nn" * len(runs), "The balance at the end.")
 
 
 def source_table(run):

@@ -1,6 +1,7 @@
 """The page of a report: HTML of one run, or of some runs over each other. No address on it leads outside of it."""
 import math
 
+from report_compare import settings
 from report_curves import energies, histories
 from report_results import cost, results
 from report_run import ENDINGS, dict_of, number_of
@@ -203,20 +204,10 @@ def differences(runs):
     parts = [missing(f"{tag(run)}The values of its case are unknown, since they are in summary.json.") for run in runs if run not in having]
     if len(having) < 2:
         return "".join(parts)
-    values = [run.values() for run in having]
-    names = list(dict.fromkeys(name for some in values for name in some))
-    none = "<span class=quiet>not there</span>"
-    rows = [[f"<code>{esc(name)}</code>", *(esc(some[name][0]) if name in some else none for some in values)]
-            for name in names if len({some.get(name, (None,))[0] for some in values}) > 1]
-    programs = {run.provenance().get("commit") for run in having}
-    if len(programs) > 1:
-        rows.insert(0, ["commit of the program", *(f"<code>{esc(str(run.provenance().get('commit'))[:12])}</code>" for run in having)])
-    if len({run.summary.get("driver") for run in having}) > 1:
-        rows.insert(0, ["program", *(esc(run.summary.get("driver")) for run in having)])
+    columns, rows, alike = settings(having)
     if not rows:
         return "".join([*parts, "<p>All values of the cases are the same.</p>"])
-    alike = sum(len({some.get(name, (None,))[0] for some in values}) == 1 for name in names)
-    shown = table(["key", *(named(run) for run in having)], rows)
+    shown = table(columns, rows)
     said = f"<p class=quiet>{alike} values are the same.</p>"
     if alike == 0:
         said = "<p>The cases have no value in common.</p>"

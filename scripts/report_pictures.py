@@ -5,13 +5,11 @@ Frames are read by `frames` alone. One camera serves all pictures that are besid
 import dataclasses
 import importlib.util
 import math
-import os
-import shutil
-import sys
 
 import numpy as np
 
 import frames
+import screen
 
 # Colours of bodies, light enough for the edges of elements upon them.
 BODIES = ((0.36, 0.62, 0.82), (0.93, 0.66, 0.33), (0.45, 0.72, 0.47), (0.86, 0.48, 0.45), (0.66, 0.56, 0.80), (0.70, 0.58, 0.50),
@@ -35,22 +33,12 @@ class CannotDraw(Exception):
     """There can be no pictures; says why."""
 
 
-def start_on_a_screen():
-    """Starts the script again under xvfb-run if there is no screen to draw on; without xvfb-run there is none, as need_vtk says."""
-    if os.environ.get("DISPLAY"):
-        return
-    xvfb = shutil.which("xvfb-run")
-    if xvfb:
-        sys.stdout.flush()
-        # -a takes a free screen number, so that several reports can be made at the same time.
-        os.execv(xvfb, [xvfb, "-a", "-s", "-screen 0 1600x1200x24", sys.executable, *sys.argv])
-
-
 def need_vtk():
     if importlib.util.find_spec("vtk") is None:
         raise CannotDraw("this Python has no VTK (Debian's python3-vtk9)")
-    if not os.environ.get("DISPLAY"):
-        raise CannotDraw("there is no screen and no xvfb-run (Debian's xvfb)")
+    if screen.missing():
+        raise CannotDraw(screen.missing())
+    screen.use_one_thread()
 
 
 # ------------------------------------------------------------------------------------------------
@@ -261,7 +249,7 @@ def actor_of(surface, colour=None, edges=False, opacity=1.0):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
-    look.SetAmbient(0.55), look.SetDiffuse(0.45)  # enough light from everywhere that a face seen from aside keeps its colour
+    look.SetAmbient(0.75), look.SetDiffuse(0.25)  # enough light from everywhere that a face seen from aside keeps its colour
     look.SetOpacity(opacity)
     look.SetEdgeVisibility(edges)
     look.SetEdgeColor(0.30, 0.30, 0.30), look.SetLineWidth(0.6)
@@ -307,8 +295,25 @@ def bands(limits):
     return found
 
 
+def drawn(draw, *what):
+    """A picture as PNG, drawn in a process of its own; CannotDraw if that fails."""
+    try:
+        return screen.drawn(lambda: draw(*what))
+    except screen.NotDrawn as error:
+        raise CannotDraw(error) from error
+
+
 def of_bodies(one, camera):
     """A picture of a shot with each body in its colour, and walls in light grey."""
+    return drawn(draw_bodies, one, camera)
+
+
+def of_field(one, field, limits, camera):
+    """A picture of a shot in the colours of a field; light grey if the shot does not have it."""
+    return drawn(draw_field, one, field, limits, camera)
+
+
+def draw_bodies(one, camera):
     edges = one.grid.GetNumberOfCells() <= MOST_EDGES
     actors = []
     for body in np.unique(one.body):
@@ -317,8 +322,7 @@ def of_bodies(one, camera):
     return render(with_walls(actors, one), camera)
 
 
-def of_field(one, field, limits, camera):
-    """A picture of a shot in the colours of a field; light grey if the shot does not have it."""
+def draw_field(one, field, limits, camera):
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
     found = values(one.grid, field)
@@ -331,7 +335,6 @@ def of_field(one, field, limits, camera):
         surface = skin_of(only(one.grid, one.body, body))
         actor = actor_of(surface, (0.8, 0.8, 0.8))
         if found is not None:
-            actor.GetProperty().SetAmbient(0.75), actor.GetProperty().SetDiffuse(0.25)  # colours are read off the bar
             mapper = actor.GetMapper()
             mapper.ScalarVisibilityOn()
             mapper.SetScalarModeToUseCellFieldData() if found[1] else mapper.SetScalarModeToUsePointFieldData()

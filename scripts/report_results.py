@@ -7,6 +7,8 @@ from report_text import anchor, duration, esc, missing, named, number, quantity,
 
 MORE_THAN = 0.05  # differences of results that are printed bold
 NOTHING = 1e-9    # of the largest value of the unit: less is round-off, and no per cent of it is given
+NOTHING_OF_PROBE = 1e-7  # the same, of the largest value of its own probe
+ROUND_OFF = "<span class=quiet>round-off</span>"
 
 
 # ------------------------------------------------------------------------------------------------
@@ -19,17 +21,30 @@ def results(runs):
     having = [run for run in runs if run.results()]
     if not having:
         return missing("There are no results, since they are in summary.json.") + touched(runs) + overlaps(runs)
-    units = {name: unit for run in having for name, (_, unit) in run.results().items()}
-    probes = [name.removesuffix("_largest_at") for name in units if name.endswith("_largest_at") and f"{name[:-11]}_last" in units]
-    taken = {f"{probe}_{end}" for probe in probes for end in ENDS_OF_PROBES}
-    others = [name for name in units if name not in taken]
     parts = [*(missing(f"{tag(run)}There are no results, since they are in summary.json.") for run in runs if run not in having)]
     if len(having) == 1:
+        probes, others = sorted_out(having)
         parts += [probe_table(having[0], probes), value_table(having[0], others)]
     else:
-        parts += [comparison(having, [name for name in units if name in taken and not name.endswith("_at")], units, "Probes."),
-                  comparison(having, others, units, "Other results.")]
+        for title, names in compared(having):
+            parts.append(comparison(having, names, title))
     return "".join([*parts, touched(runs), overlaps(runs)])
+
+
+def sorted_out(runs):
+    """(names of probes, names of the results that are of no probe) of some runs."""
+    names = list(dict.fromkeys(name for run in runs for name in run.results()))
+    probes = [name.removesuffix("_largest_at") for name in names if name.endswith("_largest_at") and f"{name[:-11]}_last" in names]
+    taken = {f"{probe}_{end}" for probe in probes for end in ENDS_OF_PROBES}
+    return probes, [name for name in names if name not in taken]
+
+
+def compared(runs):
+    """[(title, names of results)] that are side by side."""
+    probes, others = sorted_out(runs)
+    there = {name for run in runs for name in run.results()}
+    ends = [f"{probe}_{end}" for probe in probes for end in ENDS_OF_PROBES if not end.endswith("_at")]
+    return [("Probes.", [name for name in ends if name in there]), ("Other results.", others)]
 
 
 def probe_table(run, probes):
@@ -60,16 +75,26 @@ def value_table(run, names):
     return f"<p class=quiet>Other results.</p><div class='row two'>{columns}</div>"
 
 
-def comparison(runs, names, units, title):
-    """Results side by side, with the difference from the first run."""
+def comparison(runs, names, title):
     if not names:
         return ""
+    columns, rows, zero = side_by_side(runs, names)
+    none = f"<p class=quiet>Zero in all runs: {esc(', '.join(zero))}.</p>" if zero else ""
+    return table(columns, rows, "tt" + "n" * (2 * len(runs) - 1), f"{title} {meaning(runs)}") + none
+
+
+def meaning(runs):
+    """What the differences are."""
+    first, others = runs[0].key, " or ".join(run.key for run in runs[1:])
+    return (f"Differences are in per cent of the magnitude of {first}; positive: {others} is larger. Round-off: all values are below "
+            f"{number(NOTHING_OF_PROBE)} of the largest of their probe, or below {number(NOTHING)} of the largest of their unit.")
+
+
+def side_by_side(runs, names):
+    """(columns, rows, names of results that are zero in all runs) of results, with the difference from the first run."""
     found = [run.results() for run in runs]
-    largest = {}
-    for some in found:
-        for value, unit in some.values():
-            if math.isfinite(value):
-                largest[unit] = max(largest.get(unit, 0.0), abs(value))
+    units = {name: unit for some in found for name, (_, unit) in some.items()}
+    nothing = sizes_of_nothing(found, sorted_out(runs)[0])
     rows, zero = [], []
     for name in names:
         unit, values = units[name], [some.get(name, (None, ""))[0] for some in found]
@@ -79,17 +104,29 @@ def comparison(runs, names, units, title):
             zero.append(name)
             continue
         row = [esc(name), esc(shown or "–"), *("–" if value is None else number(value / factor) for value in values)]
-        rows.append(row + [difference(values[0], value, NOTHING * largest.get(unit, 0.0)) for value in values[1:]])
-    columns = ["result", "unit", *(named(run) for run in runs), *(f"{run.key} − {runs[0].key}" for run in runs[1:])]
-    none = f"<p class=quiet>Zero in all runs: {esc(', '.join(zero))}.</p>" if zero else ""
-    return table(columns, rows, "tt" + "n" * (2 * len(runs) - 1), f"{title} Differences are in per cent of {runs[0].key}.") + none
+        rows.append(row + [difference(values[0], value, nothing[name]) for value in values[1:]])
+    return ["result", "unit", *(named(run) for run in runs), *(f"{run.key} − {runs[0].key}" for run in runs[1:])], rows, zero
+
+
+def sizes_of_nothing(found, probes):
+    """{result: values up to which it is round-off} of the results of some runs."""
+    largest = {}
+    of_probe = {f"{probe}_{end}": probe for probe in probes for end in ENDS_OF_PROBES if not end.endswith("_at")}
+    for some in found:
+        for name, (value, unit) in some.items():
+            for key in ((unit,), of_probe.get(name)) if math.isfinite(value) else ():
+                largest[key] = max(largest.get(key, 0.0), abs(value))
+    return {name: max(NOTHING * largest.get((unit,), 0.0), NOTHING_OF_PROBE * largest.get(of_probe[name], 0.0) if name in of_probe else 0.0)
+            for some in found for name, (_, unit) in some.items()}
 
 
 def difference(ours, theirs, nothing):
     if ours is None or theirs is None or not (math.isfinite(ours) and math.isfinite(theirs)):
         return "–"
-    if ours == theirs or max(abs(ours), abs(theirs)) <= nothing:
+    if ours == theirs:
         return "0"
+    if max(abs(ours), abs(theirs)) <= nothing:
+        return ROUND_OFF
     if abs(ours) <= nothing:
         return "from 0"
     part = (theirs - ours) / abs(ours)

@@ -1,5 +1,6 @@
 """Set-up and pictures of a report: bodies and what the case says of them, and a field on the bodies at some times."""
 import math
+import sys
 
 import numpy as np
 
@@ -33,33 +34,39 @@ def set_up(runs, wanted):
     if len(runs) == 1:
         parts += [views_of(run, starts[run.key]) for run in drawn]
         return "".join([*parts, said_of(runs[0], starts.get(runs[0].key))])
-    boxes = [framed(*picture_of_start(starts[run.key], pictures.VIEWS[0]), f"set-up of {run.name}",
-                    f"{named(run)}: {size_of(starts[run.key])}") for run in drawn]
+    boxes = [box_of_start(starts[run.key], pictures.VIEWS[0], f"set-up of {run.name}", f"{named(run)}: {size_of(starts[run.key])}")
+             for run in drawn]
     parts.append(f"<div class='row {'two' if len(boxes) in (2, 4) else 'three'}'>" + "".join(boxes) + "</div>")
     first = {}
     for run in runs:
         text = said_of(run, starts.get(run.key))
-        same = first.setdefault(text.replace(f"id='{run.key}-", "id='"), run)
+        same = first.setdefault((text.replace(f"id='{run.key}-", "id='"), values_of_set_up(run)), run)
         parts.append(folded(f"Bodies, contacts and loads of {named(run)}" + ("" if same is run else f", the same as of {same.key}"), text,
                             same is run))
     return "".join(parts)
 
 
+def values_of_set_up(run):
+    """All values of a case that are about its bodies, contacts and loads, also those that the tables leave out."""
+    return tuple((path, value) for path, (value, _) in run.values().items() if not path.startswith(NOT_OF_SET_UP))
+
+
 def views_of(run, start):
     shape = max(pictures.Camera(view, start.box()).shape for view in pictures.VIEWS)
-    boxes = [framed(*picture_of_start(start, view, shape), f"set-up of {run.name}, view {i + 1}") for i, view in enumerate(pictures.VIEWS)]
+    boxes = [box_of_start(start, view, f"set-up of {run.name}, view {i + 1}", shape=shape) for i, view in enumerate(pictures.VIEWS)]
     what = "first frame" if run.over_time else "state at rest"
     return f"<div class='row two'>{''.join(boxes)}</div><p class=quiet>The {what} from two directions; {size_of(start)}.</p>"
 
 
-def picture_of_start(start, view, shape=None):
+def box_of_start(start, view, alt, caption="", shape=None):
     camera = pictures.Camera(view, start.box(), shape)
-    return pictures.of_bodies(start, camera), camera
+    return framed(lambda: pictures.of_bodies(start, camera), camera, alt, caption)
 
 
 def size_of(start):
     lengths = np.ptp(start.box(), axis=1)
-    size = " × ".join(plain_quantity(float(one), "m", 4) if one > NOTHING * lengths.max() else "0" for one in lengths)
+    none = f"0 {scale_of(float(lengths.max()), 'm')[1]}"
+    size = " × ".join(plain_quantity(float(one), "m", 4) if one > NOTHING * lengths.max() else none for one in lengths)
     return f"the bodies extend over {size} along x, y and z"
 
 
@@ -80,10 +87,14 @@ def first_shot(run, wanted):
     return pictures.shot(run, run.frames[0][0], at_start=not run.over_time)
 
 
-def framed(png, camera, alt, caption=""):
-    """A picture with the axes in its corner."""
-    inner = picture(png, "png", alt)
+def framed(draw, camera, alt, caption=""):
+    """A picture with the axes in its corner; if it cannot be drawn, the page and stderr say why."""
     said = f"<figcaption>{caption}</figcaption>" if caption else ""
+    try:
+        inner = picture(draw(), "png", alt)
+    except pictures.CannotDraw as error:
+        print(f"report: no picture '{alt}': {error}", file=sys.stderr)
+        return f"<div>{missing(f'This picture could not be drawn: {esc(error)}.')}{said}</div>"
     return f"<div><div class=shot>{inner}{triad(camera)}</div>{said}</div>"
 
 
@@ -121,9 +132,11 @@ def body_table(run, start):
         elements = str(int(np.count_nonzero(start.body == i))) if start else ""
         said_of_material = esc(kind) + (", rigid" if is_rigid(item) else "")
         rows.append((anchor(run, f"source-{name}"), [f"<span class=whole>{swatch}{esc(name)}</span>", elements, said_of_material,
-                                                     esc(", ".join(settings)), esc(mesh_words(item))]))
+                                                     esc(", ".join(settings)), esc(words_of(item, "element.")), esc(mesh_words(item)),
+                                                     esc(other_words(item))]))
     more = " Colours repeat after the twelfth body." if start and len(rows) > len(pictures.BODIES) else ""
-    return table(["body", "elements", "material", "", "mesh"], rows, "tnttt", f"Bodies.{more}")
+    return table(["body", "elements", "material", "", "options of elements", "mesh", "other"], rows, "tnttttt",
+                 f"Bodies, with what the case says of them; defaults are left out.{more}")
 
 
 def is_rigid(item):
@@ -131,11 +144,25 @@ def is_rigid(item):
 
 
 def mesh_words(item):
-    kept = [f"{key.removeprefix('mesh.')} {engineering(value)}" if key != "mesh.kind" else value for key, (value, default) in item.items()
-            if key.startswith("mesh.") and not default]
-    return ", ".join(kept)
+    """The kind of a mesh and what else is said of it; the hash of its file is among the values of the case."""
+    kind, default = item.get("mesh.kind", ("", True))
+    rest = words_of({key: one for key, one in item.items() if key not in ("mesh.kind", "mesh.path_file")}, "mesh.")
+    return ", ".join(filter(None, ["" if default else kind, rest]))
 
 
+def other_words(item):
+    """What is said of a body and is neither its material nor its elements nor its mesh."""
+    return words_of({key: one for key, one in item.items() if key not in ("name", "rigid", "material")
+                     and not key.startswith(("material.", "element.", "mesh."))})
+
+
+def words_of(item, part=""):
+    """What the case says in the values of an item whose keys begin so, as "thickness 2 mm, layers 5"; without defaults."""
+    return ", ".join(f"{key.removeprefix(part)} {engineering(value)}" for key, (value, default) in item.items()
+                     if key.startswith(part) and not default)
+
+
+NOT_OF_SET_UP = "time.", "output.", "probes[", "modes.", "stop["
 LISTS = ("contacts", "planes", "loads", "springs", "point_masses", "initial", "sections", "stages", "stop")
 WORDS_OF_KINDS = {"interface": "contact", "rigid_plane": "rigid plane", "block": "body"}
 
@@ -144,6 +171,9 @@ def part_of(run, name):
     """What an account is that is in no list of the case."""
     if name == "gravity":
         return esc(run.values().get(name, ("", True))[0])
+    if name == "relaxation":
+        is_said = any(path.startswith("relaxation.") for path in run.values())
+        return esc(words_of(run.values(), "relaxation.") or "defaults only") if is_said else "in a stage" if run.items("stages") else ""
     for end, words in (("_back", "the other pass of"), ("_edges", "edges on edges of")):
         if name.endswith(end):
             return f"{words} {esc(name.removesuffix(end))}"
@@ -157,9 +187,9 @@ def parts_table(run):
         for item in run.items(section):
             name = item.get("name", ("", True))[0]
             shown.add(name)
-            words = [f"{key} {engineering(value)}" for key, (value, default) in item.items() if key != "name" and not default]
+            words = words_of({key: one for key, one in item.items() if key != "name"})
             cells_of = [section.replace("_", " ").removesuffix("s") if section not in ("initial", "stop") else section, esc(name),
-                        esc(", ".join(words))]
+                        esc(words)]
             rows.append((anchor(run, f"source-{name}"), cells_of) if name else cells_of)
     bodies = set(run.body_names())
     for name, account in run.accounts().items():
@@ -288,13 +318,13 @@ def shots_of(runs, drawn, field, times):
 
 
 def shot_box(run, one, why, time, field, limits, camera, times):
-    png = pictures.of_field(one, field, limits, camera)
     name = f"t = {quantity(one.time, 's')}" if times.over_time else f"frame of {quantity(one.time, frame_unit(run))}"
     off = abs(one.time - time)
     spacing = (run.frames[-1][0] - run.frames[0][0]) / max(1, len(run.frames) - 1)
     note = f"; the frame nearest to {quantity(time, 's')}" if off > 1e-6 * abs(time) and times.over_time else ""
     note += ", which is more than a frame away" if off > 1.01 * spacing and times.over_time else ""
-    return framed(png, camera, f"{run.name}: {field} at {one.time:g}", f"{tag(run)}<b>{name}</b>{f' ({esc(why)})' if why else ''}{note}")
+    return framed(lambda: pictures.of_field(one, field, limits, camera), camera, f"{run.name}: {field} at {one.time:g}",
+                  f"{tag(run)}<b>{name}</b>{f' ({esc(why)})' if why else ''}{note}")
 
 
 def frame_unit(run):

@@ -15,8 +15,6 @@ cylinder: z is up.
 
 import argparse
 import colorsys
-import os
-import shutil
 import sys
 import xml.etree.ElementTree as xml
 from math import cos, radians, sin
@@ -24,8 +22,11 @@ from math import cos, radians, sin
 import command_line
 import frames
 import runs
+import screen
 
 STATUS = [("unpaired", (0.75, 0.55, 0.10)), ("open", (0.55, 0.55, 0.55)), ("closed", (0.85, 0.10, 0.10))]
+STATUS_WORDS = [word for word, _ in STATUS]
+UPPER = 0.50, 0.40  # bottom and height of the bar of bodies, of the picture
 CLOSED = 1  # status of an element that acts
 DATA_SETS = ("body", "contact", "walls")
 PREFERRED = {"body": ("von_mises", "von_mises_top", "displacement"), "contact": ("contact_status", "gap")}
@@ -33,7 +34,11 @@ GOLDEN = 0.618  # of a turn of the hue: no two of some bodies are near
 MOST_PIXELS = 16384  # of a picture, either way
 DARK = (0.1, 0.1, 0.1)
 VIEW_ANGLE = 12  # [degrees] from far away: parallel edges look parallel
-FREE = (-0.95, 0.68), (-0.93, 0.87)  # of the picture, from -1 to 1 each way: beside the bars, below the time
+FREE = (-0.95, 0.95), (-0.93, 0.87)  # of the picture, from -1 to 1 each way: below the time; right of it are the bars
+MOST_ROOM = 0.6  # of the width of the picture, for bars
+TITLE, LABEL = 22, 20  # [pixels] letters of bars
+BAR, BESIDE, MARGIN = 34, 14, 24  # [pixels] width of a bar, between it and its words, and to the border and the bodies
+WIDEST_NUMBER = "-4.44e+07"
 OUTLINE = 64  # directions in which the points that bound a picture are sought
 
 
@@ -68,7 +73,7 @@ def arguments():
     if asked.frames and (asked.out or asked.time is not None):
         parser.error("argument --frames: draws every frame; leave --time and --out away")
     asked.out = asked.out or asked.folder / "view.png"
-    asked.contact_range = None
+    asked.contact_range, asked.room = None, 0.0
     check_names(asked)
     command_line.need_writable(asked.frames or asked.out.parent)
     return asked
@@ -140,17 +145,6 @@ def fields_of(path):
             number = int(array.get("NumberOfComponents", "1"))
             found[array.get("Name")] = [array.get(f"ComponentName{i}", str(i)) for i in range(number)]
     return found
-
-
-def give_a_screen():
-    """Starts this script again under xvfb-run where there is no screen to draw on."""
-    if os.environ.get("DISPLAY"):
-        return
-    xvfb = shutil.which("xvfb-run")
-    if xvfb is None:
-        sys.exit("view.py: no screen and no xvfb-run; apt-get install xvfb")
-    # -a takes a free screen number, so that several pictures can be drawn at the same time.
-    os.execv(xvfb, [xvfb, "-a", "-s", "-screen 0 1600x1200x24", sys.executable, *sys.argv])
 
 
 def listed(folder, name):
@@ -289,23 +283,48 @@ def black(text, size):
     text.SetFontSize(size)
 
 
-def bar(title, colours, place, labels=5, letters=20):
-    """A scalar bar with black text; place is left, bottom, width, height of the picture, letters the size of words beside it."""
+def wide(text, size):
+    """The width of a text [pixels]."""
+    style, box = vtk.vtkTextProperty(), [0, 0, 0, 0]
+    black(style, size)
+    vtk.vtkTextRenderer.GetInstance().GetBoundingBox(style, text, box, 72)
+    return box[1] - box[0] + 1
+
+
+def numbers_beside(title):
+    """(width, room) of a bar with numbers on its right [pixels]: of its frame, over which the title is centred, and of all of it."""
+    frame = max(wide(title, TITLE), BAR + BESIDE + wide(WIDEST_NUMBER, LABEL))
+    return frame, frame
+
+
+def words_beside(title, words, letters=LABEL):
+    """The same of a bar with words on its left."""
+    frame = max(wide(title, TITLE), BAR)
+    return frame, frame + BESIDE + max(wide(word, letters) for word in words)
+
+
+def bar(title, colours, up, frame, asked, labels=5, letters=LABEL):
+    """A scalar bar with black text at the right border.
+
+    up       bottom and height, of the picture
+    frame    its width [pixels]
+    letters  [pixels] of words beside it
+    """
     actor = vtk.vtkScalarBarActor()
     actor.SetLookupTable(colours)
     actor.SetTitle(title)
     actor.SetNumberOfLabels(labels)
     actor.SetLabelFormat("%.3g")
     actor.SetUnconstrainedFontSize(True)
-    black(actor.GetTitleTextProperty(), 22)
-    black(actor.GetLabelTextProperty(), 20)
+    black(actor.GetTitleTextProperty(), TITLE)
+    black(actor.GetLabelTextProperty(), LABEL)
     black(actor.GetAnnotationTextProperty(), letters)
     actor.GetTitleTextProperty().SetJustificationToLeft()
     actor.SetVerticalTitleSeparation(12)
-    actor.SetBarRatio(0.25)
-    actor.GetPositionCoordinate().SetValue(*place[:2])
-    actor.SetWidth(place[2])
-    actor.SetHeight(place[3])
+    actor.SetBarRatio(BAR / frame)
+    actor.GetPositionCoordinate().SetValue(1 - (frame + MARGIN) / asked.size[0], up[0])
+    actor.SetWidth(frame / asked.size[0])
+    actor.SetHeight(up[1])
     return actor
 
 
@@ -324,7 +343,7 @@ def cool_to_warm():
 
 
 def component_of(data, field, component):
-    """The number of a component of a field, -1 for the magnitude, and the title of its scalar bar."""
+    """The number of a component of a field, -1 for the magnitude, and its name."""
     array, _ = array_of(data, field)
     if array.GetNumberOfComponents() == 1:
         return 0, field
@@ -339,7 +358,7 @@ def component_of(data, field, component):
 
 
 def colour(mapper, data, field, component, limits):
-    """Lets a mapper colour by a field; returns the title of its scalar bar and the colours."""
+    """Lets a mapper colour by a field; returns the colours."""
     array, of_cells = array_of(data, field)
     if of_cells:
         mapper.SetScalarModeToUseCellFieldData()
@@ -347,7 +366,7 @@ def colour(mapper, data, field, component, limits):
         mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(field)
     table = cool_to_warm()
-    which, title = component_of(data, field, component)
+    which, _ = component_of(data, field, component)
     if which >= 0:
         table.SetVectorModeToComponent()
         table.SetVectorComponent(which)
@@ -356,7 +375,12 @@ def colour(mapper, data, field, component, limits):
     mapper.SetLookupTable(table)
     mapper.UseLookupTableScalarRangeOn()
     table.SetRange(*(limits or array.GetRange(which)))
-    return f"{title} [{frames.unit_of(data, field)}]", table
+    return table
+
+
+def title_of(data, field, component):
+    """Of a scalar bar."""
+    return f"{component_of(data, field, component)[1]} [{frames.unit_of(data, field)}]"
 
 
 def surface_mapper(data):
@@ -375,8 +399,8 @@ def actor_of(mapper):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     # Enough light from everywhere that a face seen from aside keeps the colour of the scalar bar.
-    actor.GetProperty().SetAmbient(0.55)
-    actor.GetProperty().SetDiffuse(0.45)
+    actor.GetProperty().SetAmbient(0.8)
+    actor.GetProperty().SetDiffuse(0.2)
     return actor
 
 
@@ -410,13 +434,19 @@ def add_body(renderer, body, asked):
             mapper.SetLookupTable(colours_of_bodies(body.names))
         elif field:
             # The range is that of all bodies that are shown, whole: a cut must not change what a colour means.
-            title, table = colour(mapper, body.whole, field, asked.component, asked.range)
+            table = colour(mapper, body.whole, field, asked.component, asked.range)
         renderer.AddActor(actor)
     if field == "body":
-        letters = min(20, int(0.7 * 0.4 * asked.size[1] / len(body.names)))
-        renderer.AddActor2D(bar("body", colours_of_bodies(body.names), (0.89, 0.50, 0.10, 0.40), 0, letters))
+        frame, _ = words_beside("body", body.names, letters_of(body, asked))
+        renderer.AddActor2D(bar("body", colours_of_bodies(body.names), UPPER, frame, asked, 0, letters_of(body, asked)))
     elif field:
-        renderer.AddActor2D(bar(title, table, (0.86, 0.50, 0.10, 0.40)))
+        title = title_of(body.whole, field, asked.component)
+        renderer.AddActor2D(bar(title, table, UPPER, numbers_beside(title)[0], asked))
+
+
+def letters_of(body, asked):
+    """[pixels] of the names of bodies beside a bar, which may be many."""
+    return min(LABEL, int(0.7 * UPPER[1] * asked.size[1] / len(body.names)))
 
 
 def cells_where(data, lowest, highest):
@@ -478,7 +508,7 @@ def add_contact(renderer, contact, asked):
         else:
             mapper.ScalarVisibilityOn()
             if field != "contact_status":
-                title, table = colour(mapper, data, field, None, asked.contact_range)
+                table = colour(mapper, data, field, None, asked.contact_range)
             else:
                 mapper.SetScalarModeToUseCellFieldData()
                 mapper.SelectColorArray(field)
@@ -490,9 +520,26 @@ def add_contact(renderer, contact, asked):
             renderer.AddActor(outlines)
         renderer.AddActor(actor)
     if field == "contact_status":
-        renderer.AddActor2D(bar("contact", status_colours(data), (0.86, 0.12, 0.10, 0.24), 0))
+        frame, _ = words_beside("contact", STATUS_WORDS)
+        renderer.AddActor2D(bar("contact", status_colours(data), (0.12, 0.24), frame, asked, 0))
     elif table:
-        renderer.AddActor2D(bar(title, table, (0.86, 0.07, 0.10, 0.34)))
+        title = title_of(data, field, None)
+        renderer.AddActor2D(bar(title, table, (0.07, 0.34), numbers_beside(title)[0], asked))
+
+
+def room_of(there, asked):
+    """The room that bars take at the right [pixels]."""
+    rooms = []
+    for name, field_asked, component in (("body", asked.field, asked.component), ("contact", asked.contact_field, None)):
+        one = there.get(name)
+        field = chosen(one.whole, field_asked, PREFERRED[name]) if one and one.pieces else None
+        if field == "body":
+            rooms.append(words_beside(field, one.names, letters_of(one, asked))[1])
+        elif field == "contact_status":
+            rooms.append(words_beside("contact", STATUS_WORDS)[1])
+        elif field:
+            rooms.append(numbers_beside(title_of(one.whole, field, component))[1])
+    return min(max(rooms, default=-MARGIN) + 2 * MARGIN, MOST_ROOM * asked.size[0])
 
 
 def add_walls(renderer, walls, _):
@@ -542,6 +589,7 @@ def outline(there, asked):
 
 def aim(renderer, points, asked):
     """Fills the free part of the picture with the points."""
+    free = (FREE[0][0], min(FREE[0][1], 1 - 2 * asked.room / asked.size[0])), FREE[1]
     import numpy as np
     axes = axes_of_picture(asked)
     right, up, near = axes @ points.T
@@ -553,9 +601,9 @@ def aim(renderer, points, asked):
     for _ in range(20):  # nearer points look larger: each time is nearer to the camera that is sought
         depth = distance + middle[2] - near
         seen = [(one - at) / depth / width for one, at, width in zip((right, up), middle, spread)]
-        for i, (one, (low, high)) in enumerate(zip(seen, FREE)):
+        for i, (one, (low, high)) in enumerate(zip(seen, free)):
             middle[i] += ((one.min() + one.max()) / 2 - (low + high) / 2) * distance * spread[i]
-        filled = max(np.ptp(one) / (high - low) for one, (low, high) in zip(seen, FREE))
+        filled = max(np.ptp(one) / (high - low) for one, (low, high) in zip(seen, free))
         distance = max(distance * filled, 1.05 * (near.max() - middle[2]) + 1e-3 * size)
     camera = renderer.GetActiveCamera()
     camera.SetViewAngle(VIEW_ANGLE)
@@ -664,6 +712,14 @@ def draw(asked, time, there, points, out):
     writer.Write()
 
 
+def draw_apart(*what):
+    """The same by a process of its own; the script ends if that fails."""
+    try:
+        screen.drawn(lambda: draw(*what))
+    except screen.NotDrawn as error:
+        sys.exit(f"view.py: {error}")
+
+
 def draw_frames(asked):
     """A picture of each frame, with one camera and one range of colours for all."""
     import numpy as np
@@ -673,6 +729,7 @@ def draw_frames(asked):
     for time in times:
         _, there = data_at(asked, time)
         points.append(outline(there, asked))
+        asked.room = max(asked.room, room_of(there, asked))
         if "body" in there and there["body"].whole.GetNumberOfCells() > 0:
             whole = there["body"].whole
             limits = joined(limits, whole, chosen(whole, asked.field, PREFERRED["body"]), asked.component)
@@ -681,7 +738,7 @@ def draw_frames(asked):
     points = something(np.concatenate(points), asked)
     asked.range, asked.contact_range = asked.range or limits, of_contact
     for number, time in enumerate(times):
-        draw(asked, *data_at(asked, time), points, asked.frames / f"frame_{number:04d}.png")
+        draw_apart(asked, *data_at(asked, time), points, asked.frames / f"frame_{number:04d}.png")
     print(f"{asked.frames}: {len(times)} frames")
 
 
@@ -694,15 +751,18 @@ def something(points, asked):
 
 def main():
     asked = arguments()
-    give_a_screen()
-    global vtk  # only now: loading it takes a second, and there may have been no screen
+    if screen.missing():
+        sys.exit(f"view.py: {screen.missing()}")
+    global vtk  # only now: loading it takes a second
     import vtk
 
+    screen.use_one_thread()
     if asked.frames:
         draw_frames(asked)
         return
     time, there = data_at(asked, asked.time)
-    draw(asked, time, there, something(outline(there, asked), asked), asked.out)
+    asked.room = room_of(there, asked)
+    draw_apart(asked, time, there, something(outline(there, asked), asked), asked.out)
     print(asked.out)
 
 

@@ -1,4 +1,5 @@
 """The report of a run is one file that needs nothing else, shows all that the run has, and says what it does not have."""
+import doctest
 import html.parser
 import importlib.util
 import json
@@ -19,6 +20,8 @@ try:
 except ImportError as error:
     print(f"skipped: {error}")
     sys.exit(77)
+import numpy as np  # noqa: E402
+
 import frames  # noqa: E402
 import report_compare  # noqa: E402
 import report_energy  # noqa: E402
@@ -228,7 +231,8 @@ class ReportTest(unittest.TestCase):
     def test_energies_add_up(self):
         run, = report_run.read([self.run_of()])
         groups, outside = report_energy.over_time(run)
-        self.assertEqual({name: list(values) for name, values in groups.items()}, {"kinetic": [100, 60, 90], "bodies: elastic": [0, 40, 10]})
+        found = {name: list(values) for name, values in groups.items()}
+        self.assertEqual(found, {"kinetic": [100, 60, 90], "bodies: elastic": [0, 40, 10]})
         self.assertFalse(outside.any())
         self.assertEqual(sum(groups.values()).tolist(), [100, 100, 100])
         created, limit = report_energy.created_over_time(run)
@@ -333,14 +337,15 @@ class ReportTest(unittest.TestCase):
         self.assertRegex(text, r"contacts\[0\].friction +0.2 +0.3\n")
         self.assertRegex(text, r"tip_last +mm +2 +2.1 +[+]5 %\n")
         self.assertRegex(text, r"bodies: elastic +10 +10 % +10 +10 %\n")
-        self.assertNotRegex(text, "<|&")
+        self.assertNotRegex(text, "</|&[a-z]+;")
+        self.assertEqual(doctest.testmod(report_compare).failed, 0)
         text = report_compare.text(report_run.read([self.run_of("whole"), self.run_of("cut", finished=False)]))
         self.assertIn("B: summary.json is missing", text)
 
     def test_a_length_of_zero_has_a_unit(self):
         class Flat:
             def box(self):
-                return report_scene.np.array([[0.0, 0.1], [0.0, 0.02], [0.0, 0.0]])
+                return np.array([[0.0, 0.1], [0.0, 0.02], [0.0, 0.0]])
 
         self.assertRegex(report_scene.size_of(Flat()), "100.mm × 20.mm × 0.mm")
 
@@ -437,10 +442,34 @@ class ReportTest(unittest.TestCase):
                                     (["--cut", "--cut-at", "1000", "--show", "body"], 2, "nothing to draw in")):
             done = subprocess.run([sys.executable, view, folder, "--out", out, *words], capture_output=True, text=True, timeout=120)
             self.assertEqual((done.returncode, said in done.stderr), (status, True), done.stderr)
+        legend_apart(self, view, folder, out)
         (folder / "contact.pvd").write_text("<VTKFile>")
         done = subprocess.run([sys.executable, view, folder, "--out", out], capture_output=True, text=True, timeout=120)
         self.assertEqual((done.returncode, done.stderr), (2, f"view.py: {folder}/contact.pvd is no collection of ParaView\n"))
         self.assertEqual(made("--field", "nosuch"), (2, "report: no field is called 'nosuch'; there are: displacement\n"))
+
+
+def legend_apart(test, view, folder, out):
+    """The legend of bodies lies right of the body, in the colour in which the body is drawn."""
+    import vtk
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    for size in ("300 250", "1400 300"):
+        words = [folder, "--out", out, "--field", "body", "--show", "body", "--size", *size.split(), "--elevation", "50", "--azimuth", "30"]
+        done = subprocess.run([sys.executable, view, *words], capture_output=True, text=True, timeout=120)
+        test.assertEqual(done.returncode, 0, done.stderr)
+        reader = vtk.vtkPNGReader()
+        reader.SetFileName(str(out))
+        reader.Update()
+        wide, high, _ = reader.GetOutput().GetDimensions()
+        picture = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(high, wide, -1)[:, :, :3].astype(float)
+        coloured = picture.max(axis=2) - picture.min(axis=2) > 40  # neither words nor paper
+        there = coloured.any(axis=0)
+        ends = [i for i in range(1, wide) if there[i] != there[i - 1]]
+        body, legend = (picture[:, a:b][coloured[:, a:b]] for a, b in (ends[:2], ends[-2:]))
+        words_of_legend = (picture[:int(0.9 * high), ends[1]:].min(axis=2) < 200).any(axis=0)
+        test.assertGreater(list(words_of_legend).index(True), 15)
+        darkest, brightest = np.quantile(body, [0.05, 0.95], axis=0) / np.median(legend, axis=0)  # without pixels at rims
+        test.assertTrue(darkest.min() > 0.75 and brightest.max() < 1.05 and np.ptp(darkest) < 0.05, (darkest, brightest))
 
 
 def write_frame(path, deformed):
