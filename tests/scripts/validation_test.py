@@ -1,4 +1,4 @@
-"""What scripts/validation.py, scripts/taylor_shots.py and scripts/experiments make of numbers that are known."""
+"""What scripts/validation.py, verification/taylor_shots and scripts/experiments make of numbers that are known."""
 import contextlib
 import doctest
 import io
@@ -11,8 +11,8 @@ from importlib.machinery import SourceFileLoader
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
-import taylor_shots  # noqa: E402  (after the path)
+sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "verification/taylor_shots")]
+import shots  # noqa: E402  (after the path)
 import validation  # noqa: E402
 
 experiments = SourceFileLoader("experiments", str(ROOT / "scripts/experiments")).load_module()
@@ -24,7 +24,7 @@ def point(measured, computed, u=0.01, family="taylor_6061", group="T6"):
 
 class Examples(unittest.TestCase):
     def test_examples_in_the_sources(self):
-        for module in (validation, taylor_shots):
+        for module in (validation, shots):
             self.assertEqual(doctest.testmod(module).failed, 0)
 
 
