@@ -25,7 +25,8 @@ std::int64_t computed_elements(const Model& model) {
   return sum;
 }
 
-constexpr double smallest_fraction = 1e-4;  // of the first step: something has collapsed
+constexpr double smallest_fraction = 1e-4;   // of the first step: something has collapsed
+constexpr std::int64_t footings_every = 16;  // steps: a peak of a contact lasts longer, and a look costs less than a step
 
 std::string name(const Model& model, int source) { return sources(model)[static_cast<std::size_t>(source)].name; }
 
@@ -266,11 +267,11 @@ Outcome run(const Model& model, State& now, Forces& forces, const Time& time, do
     progress.ledger_is_current = last || at_rest || now.t >= static_cast<double>(progress.updates + 1) * update_every;
     check_elements(model, progress.ledger_is_current && audit_is_due(time.audit_every, now), now);
     if (now.step_limits.volume_ratio > 0) compare_elements(model, time.end, last || at_rest, now);
+    if (now.step % footings_every == 0) look_at_footings(model, now);  // by steps: rows of another spacing change no result
     if (progress.ledger_is_current) {
       progress.updates = static_cast<std::int64_t>(now.t / update_every);
       update_ledger(model, now);
       check_artificial_energy(model, now);
-      look_at_footings(model, now);
       if (now.step_limits.volume_ratio > 0) update_overlaps(model, last || at_rest, time.audit_every, now, forces);
     }
     show();

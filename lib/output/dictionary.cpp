@@ -20,15 +20,16 @@ const std::vector<Described>& described_results() {
       {"CONTACT_first_touch", "s", "First step at which both sides touched; absent if they never did."},
       {"CONTACT_last_touch", "s", "Last step at which both sides touched."},
       {"CONTACT_impulse", "N*s", "Magnitude of the impulse on the apexes."},
-      {"CONTACT_effective_nodes", "1", "(sum f)^2 / sum f^2 of the forces f on the nodes: number of nodes on which the largest force of "
-       "the contact acted; absent without force."},
+      {"CONTACT_effective_nodes", "1", "(sum f)^2 / sum f^2 of the forces f on the nodes: number of nodes on which the contact acted "
+       "when its force was largest, of every sixteenth step; absent without force."},
       {"PLANE_deepest", "m", "Largest penetration of any node through the rigid plane in any step, positive."},
-      {"PLANE_effective_nodes", "1", "(sum f)^2 / sum f^2 of the forces f on the nodes: number of nodes on which the largest force of the "
-       "plane acted."},
+      {"PLANE_effective_nodes", "1", "(sum f)^2 / sum f^2 of the forces f on the nodes: number of nodes on which the plane acted when "
+       "its force was largest, of every sixteenth step."},
       // Bodies
       {"BODY_smallest_corner", "1", "Smallest Jacobian of a corner of an element over that of the reference; a corner at or below 0 is "
        "inverted. Of solids."},
-      {"BODY_artificial_fraction", "1", "Largest energy of artificial modes of the elements over the largest internal energy."},
+      {"BODY_artificial_fraction", "1", "Largest energy of artificial modes of the elements over the largest internal energy, both at "
+       "rows of the history."},
       {"BODY_hourglass_fraction", "1", "The part of hourglass control in `BODY_artificial_fraction`. Of solids."},
       {"BODY_distortion_fraction", "1", "The part of distortion control. Of solids."},
       {"BODY_drilling_fraction", "1", "The part of the spin of nodes about their normals. Of plates."},
@@ -37,9 +38,9 @@ const std::vector<Described>& described_results() {
       {"audit_deepest_overlap", "m", "Largest depth by which bodies overlapped at any audit, positive."},
       {"audit_overlap_elements", "1", "Largest growth of an overlap since the start, in elements."},
       {"hourglass_above_neighbours", "1", "Hourglass energy of elements above the mean of their neighbours, over the strain energy; "
-       "absent without strain energy."},
+       "absent where the strain energy of all looks, twenty or more in a run, is below 1e-4 of the energy of the scene in the mean."},
       {"strain_energy_concentration", "1", "Strain energy of elements above the mean density of their neighbours, over the strain "
-       "energy; absent without strain energy."},
+       "energy; absent like that."},
       {"viscous_share", "1", "Energy that the viscosity of shocks dissipates, over the energy of the scene."},
       {"plastic_share", "1", "Energy that plasticity dissipates, over the energy of the scene."},
       {"STAGE_began", "s", "Time at which a stage after the first began."},
@@ -329,7 +330,8 @@ const std::vector<Described>& described_summary() {
        "is below zero: positive is energy from nothing."},
       {"ledger.accounts.SOURCE.created_relative", "1", "The same over the energy scale."},
       {"ledger.accounts.SOURCE.passed", "J", "Sum over the steps of the magnitude of its work."},
-      {"ledger.accounts.SOURCE.created_of_passed", "1", "Created energy over that, where it was largest, with its sign."},
+      {"ledger.accounts.SOURCE.created_of_passed", "1", "Created energy, less what the last steps may make good, over that, where it "
+       "was largest, with its sign."},
       {"ledger.accounts.SOURCE.created_by_reconnection", "J", "The part of created energy of steps in which an apex changed its base."},
       {"ledger.accounts.SOURCE.impulse", "N s", "Impulse on the nodes."},
       {"ledger.accounts.SOURCE.angular_impulse", "N m s", "Angular impulse on the nodes about the origin."},
