@@ -62,7 +62,8 @@ def run_test(test, folder, number, limit=None, reached=None, stop=None):
     """(what came out, seconds): pass, fail or stopped. `folder` is an empty one for what it writes; it is removed."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    environment = {**os.environ, "NEREID_MUTANT": str(number), "TMPDIR": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, "NEREID_MUTANT": str(number), "NEREID_THREADS": "1", "TMPDIR": str(folder),
+                   "PYTHONDONTWRITEBYTECODE": "1"}
     if reached:
         environment["NEREID_MUTANTS_REACHED"] = str(reached)
     words = [word.replace("{scratch}", str(folder / "out")) for word in test.words]
