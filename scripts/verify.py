@@ -346,8 +346,8 @@ def break_row(one, checks, run, full=False):
         broken.need_end()
     except Stopped as ending:
         return Row("break", name, "", f"stops: {ending}", "", "", "FAIL: no number to fail by", False)
-    noticed = math.isfinite(pair.got) and pair.error() > check.within
-    word = "fails, as it must" if noticed else "FAIL: not noticed" if math.isfinite(pair.got) else "FAIL: no number to fail by"
+    noticed = pair.error() > check.within  # false for a NaN
+    word = "fails, as it must" if noticed else "FAIL: no number to fail by" if math.isnan(pair.error()) else "FAIL: not noticed"
     smallest = break_size.smallest(one, run, broken, lambda part: error_with(part, check, run), pair.error(), check.within,
                                    check.measure(run).error()) if full and noticed and not one.case else None
     error = share(pair.error()) + (f", noticed from {share(smallest)} on" if smallest is not None else "")

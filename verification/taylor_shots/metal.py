@@ -103,8 +103,8 @@ def checks(metal):
     alike = [shot for shot in metal.shots if shot["batch"] == metal.like]
     agreed = "a model error of 7 % was agreed on before the first run"
     return [
-        Check(LOST, lost(metal.three, range(len(LEVELS))), 0, "none may"),
-        Check(MESHES, of_meshes(metal.three), 0.01, "what is below 1 % hides in no comparison"),
+        Check(LOST, lost(metal.three, [0]), 0, "none may"),
+        Check(MESHES, of_meshes(metal.three), 0.01, "what is below 1 % hides in no comparison", full=True),
         Check(LENGTH, mean_ratio(metal.three, "length", 0), 0.07, agreed),
         Check(FOOT, mean_ratio(metal.three, "foot", 0), 0.15,
               "twice that: the foot depends on the flow stress at one place and on friction there"),
