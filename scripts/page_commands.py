@@ -68,6 +68,8 @@ COMMANDS = {
     "scripts/coarse --jobs 2 --write": Instead("scripts/coarse --jobs 2 --scenes 6 --confirm 1 --plates 1", HOURS),
     "scripts/coarse --limits --write": Instead("scripts/coarse --limits --write --scenes 6 --confirm 1 --plates 1",
                                               "judges the runs of an hour"),
+    # docs/experiments.md
+    "scripts/experiments --write": Instead("scripts/experiments --points docs/experiments.csv", HOURS),
     # docs/forecast.md
     "scripts/forecast": Instead("scripts/forecast cases/two_blocks", "takes ten minutes"),
     # docs/invariance.md
