@@ -144,6 +144,7 @@ PICTURES = {
     "docs/figures/cask_unknown.svg": ("scripts/cask_inputs", "study cask_unknown"),
     "docs/figures/cask_drop.png": ("scripts/pictures", '"cask_drop.png"'),
     "docs/figures/cask_*.svg": ("scripts/cask_study", "{name}"),
+    "docs/figures/experiments.svg": ("scripts/experiments", "docs/figures/{name}"),
     "docs/figures/contact_trade.svg": ("scripts/contact_trade", "docs/figures/{name}"),
     "docs/figures/interface_rules.svg": ("scripts/interfaces", "docs/figures/{name}"),
     "docs/figures/trade_*_series.svg": ("scripts/trade", "docs/figures/trade_{{definition.name}}_series.svg"),
