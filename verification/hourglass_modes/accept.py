@@ -77,7 +77,7 @@ def worst_of_others(run):
 
 DEPARTURES = {
     "viscosity": "one of the other cases, wave_dispersion, has none",
-    "hourglass_kind": "springs are the default and are checked; dashpots are checked beside them",
+    "hourglass_kind": "springs and dashpots are checked here; assumed strains, the default, in one_layer_bends",
     "safety": "the exact oscillator is continuous in time, so steps are small"}
 
 CHECKS = [

@@ -5,7 +5,7 @@ from verify import Breaks, Check, Figure, Pair, Report, Table
 CATALOGUE = ("P-6",)
 CLAIM = ("The permanent deflection of a clamped strip of plates under a uniform impulse lies between the two bounds for rigid, "
          "perfectly plastic strips.")
-EVIDENCE = "exact"
+EVIDENCE = "benchmark"
 DRIVER = "scene"
 
 SPEED = 40  # [m/s]
