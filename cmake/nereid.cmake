@@ -187,6 +187,16 @@ endfunction()
 set(NEREID_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 set(NEREID_TEST_OPTIONS_QUICK ${NEREID_TEST_OPTIONS} $<$<AND:$<CONFIG:Check>,$<CXX_COMPILER_ID:Clang>>:-O0>)
 
+# Programs of the tests of this folder have one thread: tests run side by side, and with one for each core they would wait for each other.
+function(nereid_one_thread)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  foreach(test ${tests})
+    if(test MATCHES "^(drivers|verify|scripts)[.]")
+      set_property(TEST ${test} APPEND PROPERTY ENVIRONMENT NEREID_THREADS=1)
+    endif()
+  endforeach()
+endfunction()
+
 # The unit tests of one module and of those in its folders, tests/<name>/**/*_test.cpp, as one program <name>_test.
 function(nereid_tests name)
   cmake_parse_arguments(TESTS "" "" "LINK" ${ARGN})

@@ -616,9 +616,14 @@ int from_command_line(int argc, char** argv, const std::string& name, bool meshe
       ->expected(1)
       ->allow_extra_args(false)  // else it would swallow the case that follows it
       ->take_all();
+  const auto is_threads = [](const std::string& text) {
+    const bool fits = CLI::Range(1, most_threads)(text).empty();
+    return fits ? std::string() : formatted("'%s' is no number of threads: expected is 1 to %d, also in NEREID_THREADS", text.c_str(),
+                                            most_threads);
+  };
   app.add_option("--threads", line.threads, "threads, by default one for each core; results do not depend on them")
       ->envname("NEREID_THREADS")
-      ->check(CLI::Range(1, most_threads));
+      ->check(is_threads);
   app.add_flag("--dry-run", line.dry_run, "check the case, show initial gaps, forecast the run, and stop");
   app.add_flag("--quiet", line.quiet, "print faults only");
   const auto is_part = [](const std::string& text) {

@@ -1,7 +1,8 @@
 """The smallest part of a mistake that a check notices: the values that a break sets, moved from right to wrong.
 
 A break sets keys of the case. With the part p, 0 < p <= 1, each of its numbers is right + p (wrong - right). The search begins where the
-error would reach the limit if it grew evenly, and halves the ratio of what is noticed to what is not. What it returns was run and noticed.
+error would reach the limit if it grew evenly, and goes on at the geometric mean of the smallest part that was noticed and the largest that
+was not. What it returns was run and noticed, so the true bound may be lower.
 """
 import dataclasses
 import math

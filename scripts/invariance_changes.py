@@ -653,7 +653,7 @@ def resolved(scene):
 
 
 def rows(scene):
-    """Columns at the same rows, but means since the row before; the last frames; and impulses."""
+    """Columns at the same rows, but means since the row before; the last frames; on how many nodes contacts act; and impulses."""
     scene.needs_steps()
     tree = copy.deepcopy(scene.tree)
     for key in ("history_every", "frames_every"):
@@ -675,6 +675,8 @@ def rows(scene):
     if (scene.base.folder / "body.pvd").is_file():
         (_, ours), (_, theirs) = scene.base.frame("body"), other.frame("body")
         found += [f"field {name}" for name in ours if ours[name] != theirs.get(name)]
+    ours, theirs = scene.base.summary["results"], other.summary["results"]
+    found += [name for name in sorted({*ours, *theirs}) if name.endswith("_effective_nodes") and ours.get(name) != theirs.get(name)]
     return found + [name for name, d in compare_runs.impulses(Twin(scene.base, other)).items() if d]
 
 

@@ -67,10 +67,10 @@ def run_test(test, folder, number, limit=None, reached=None, stop=None):
     if reached:
         environment["NEREID_MUTANTS_REACHED"] = str(reached)
     words = [word.replace("{scratch}", str(folder / "out")) for word in test.words]
-    started, parent = time.monotonic(), os.getpid()
+    started = time.monotonic()
     with open(folder.with_suffix(".log"), "w", encoding="utf-8") as log:
-        run = subprocess.Popen(words, stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, cwd=folder, env=environment,
-                               start_new_session=True, preexec_fn=lambda: processes.ends_with_parent(parent))
+        run = processes.start(words, stdout=log, stderr=subprocess.STDOUT, stdin=processes.NOTHING, cwd=folder, env=environment,
+                              start_new_session=True)
         said = "fail"
         while True:
             try:

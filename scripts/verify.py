@@ -356,13 +356,13 @@ def break_row(one, checks, run, full=False):
 
 
 def error_with(one, check, run):
-    """The error of a check with a part of a mistake; none where the run ends early."""
+    """The error of a check with a part of a mistake; NaN where the run ends early or the check finds no number in it."""
     broken = Broken(run, one)
     try:
         error = check.measure(broken).error()
         broken.need_end()
         return error
-    except Stopped:
+    except (Stopped, ArithmeticError, LookupError, ValueError):
         return math.nan
 
 

@@ -26,7 +26,7 @@ std::int64_t computed_elements(const Model& model) {
 }
 
 constexpr double smallest_fraction = 1e-4;   // of the first step: something has collapsed
-constexpr std::int64_t footings_every = 16;  // steps: a peak of a contact lasts longer, and a look costs less than a step
+constexpr std::int64_t footings_every = 16;  // steps; looks take a hundredth of a run, and miss the peak of a single step
 
 std::string name(const Model& model, int source) { return sources(model)[static_cast<std::size_t>(source)].name; }
 

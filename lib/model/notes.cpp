@@ -348,7 +348,7 @@ constexpr double concentration_worth_a_warning = 0.17;  // [-] where bodies flow
 constexpr double flow = 0.01;                           // [-] of the energy of the scene, dissipated by plasticity
 constexpr double nodes_worth_no_note = 4;               // [-]
 constexpr double plates_worth_a_note = 0.01;            // [-] of the energy of the scene
-constexpr double viscous_worth_a_note = 0.1;            // [-] likewise
+constexpr double viscous_worth_a_note = 0.1;            // [-] likewise; a twentieth of the speed
 constexpr double of_noted = 45, of_warned = 80;         // [%] that change by more than 5 % on a mesh twice as fine
 
 /// The block that has most of a part of the contrast, as a place in Model::blocks.
@@ -404,7 +404,7 @@ bool is_fluid(const element::AnyBlock& any) {
 
 /// Whether the largest value of a probe is larger than the mean of the same elements: that of an even field follows no mesh.
 bool is_uneven(const dynamics::Probe& probe, const Simulation& simulation) {
-  constexpr double even = 1.02;
+  constexpr double even = 1.02;  // [-] of the mean
   const dynamics::View view{simulation.model, simulation.state, simulation.forces, false};
   dynamics::Kept kept;
   return probe.value(view, kept) > even * probe.mean(view, kept);

@@ -40,7 +40,7 @@ const std::vector<Described>& described_results() {
       {"hourglass_above_neighbours", "1", "Hourglass energy of elements above the mean of their neighbours, over the strain energy; "
        "absent where the strain energy of all looks, twenty or more in a run, is below 1e-4 of the energy of the scene in the mean."},
       {"strain_energy_concentration", "1", "Strain energy of elements above the mean density of their neighbours, over the strain "
-       "energy; absent like that."},
+       "energy; absent in the same runs."},
       {"viscous_share", "1", "Energy that the viscosity of shocks dissipates, over the energy of the scene."},
       {"plastic_share", "1", "Energy that plasticity dissipates, over the energy of the scene."},
       {"STAGE_began", "s", "Time at which a stage after the first began."},

@@ -5,6 +5,7 @@ if they were its own, or writes beside another run.
     python3 tests/drivers/run_folder.py DRIVERS Inputs
 """
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -46,6 +47,28 @@ class InAFolder(unittest.TestCase):
 
     def ending(self):
         return json.loads((self.out / "summary.json").read_text(encoding="utf-8"))["ending"]
+
+
+class Threads(InAFolder):
+    """How many there are."""
+
+    def threads(self, variable, *flags):
+        done = subprocess.run(self.words(CASES / "block.yaml", *flags), cwd=self.folder, capture_output=True, text=True, timeout=PATIENCE,
+                              env={**os.environ, "NEREID_THREADS": variable})
+        if done.returncode:
+            return done.returncode, done.stderr
+        return json.loads((self.out / "summary.json").read_text(encoding="utf-8"))["cost"]["threads"]
+
+    def test_the_variable_is_the_default_of_the_option(self):
+        self.assertEqual(self.threads("3"), 3)
+        self.assertEqual(self.threads("3", "--threads", "2"), 2)
+        self.assertEqual(self.threads("x", "--threads", "2"), 2)
+
+    def test_a_bad_variable_is_named(self):
+        for text in ("0", "-1", "nan", "1e9", "two"):
+            status, said = self.threads(text)
+            self.assertEqual(status, 2)
+            self.assertIn(f"'{text}' is no number of threads: expected is 1 to 1024, also in NEREID_THREADS", said)
 
 
 class Inputs(InAFolder):

@@ -65,6 +65,15 @@ TEST(RigidStep, FallsExactlyAndSpinsWithoutLoss) {
   EXPECT_LT(std::abs(s.state.ledger.integration), 1e-12 * s.state.ledger.initial_kinetic);
 }
 
+TEST(RigidStep, ElementsOfRigidBodiesAreNotUpdated) {
+  Scene s = blocks({{0, 0, 0}, {0.3, 0, 0}}, {1, 0});
+  s.model.longest_step = 1e-5;
+  finalize(s.model);
+  s.ready();
+  const Outcome outcome = s.run_to(1e-4);
+  EXPECT_EQ(outcome.element_updates, 6 * (s.state.step + 1));
+}
+
 TEST(RigidStep, EveryLoadIsInTheLedger) {
   Scene s = blocks({{0, 0, 0}, {0.3, 0, 0}}, {1, 0});
   const mesh::Mesh& mesh = s.model.mesh;

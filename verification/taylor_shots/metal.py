@@ -138,6 +138,6 @@ def breaks(half_of_the_yield_stress):
 def figures(metal):
     shots = sorted(metal.three, key=lambda shot: shot["speed"])
     speeds = [shot["speed"] for shot in shots]
-    return [Figure("length", "speed [m/s]", "final length over first length",
+    return [Figure("length", "speed [m/s]", "final length over first length [-]",
                    lambda run: [("Nereid", speeds, [computed(shoot(run, shot, 0), shot)["length"] for shot in shots])],
                    exact=lambda _: [("measured", speeds, [measured(shot)["length"] for shot in shots])], caption="Lengths of three shots.")]
