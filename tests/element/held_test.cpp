@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "mesh/box.hpp"
+#include "mesh/disc.hpp"
 
 namespace nereid::element::held_test {
 namespace {
