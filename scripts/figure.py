@@ -78,6 +78,18 @@ def new_grid(rows, columns, width=DOUBLE_COLUMN, height=130.0):
     return figure, [list(row) for row in axes]
 
 
+def new_overview(columns, width=DOUBLE_COLUMN, height=120.0, ratios=(3, 2)):
+    """A figure of width x height [mm]: wide axes over a row of `columns` axes that share their ordinate."""
+    use_style()
+    figure = plt.figure(figsize=(width / 25.4, height / 25.4), constrained_layout=True)
+    grid = figure.add_gridspec(2, columns, height_ratios=ratios)
+    row = [figure.add_subplot(grid[1, 0])]
+    row += [figure.add_subplot(grid[1, column], sharey=row[0]) for column in range(1, columns)]
+    for axes in row[1:]:
+        axes.tick_params(labelleft=False)
+    return figure, figure.add_subplot(grid[0, :]), row
+
+
 def save(figure, path, png=True):
     """Writes the figure as SVG and, if wanted, as PNG, `path` with either ending; no date, so the same bytes."""
     path = Path(path)

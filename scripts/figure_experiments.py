@@ -1,44 +1,61 @@
-"""All points of the comparison with experiments: computed over measured values, and below their ratio, with bands of bias and scatter."""
+"""All points of the comparison with experiments: computed over measured values, and the ratio of each quantity with its bias and scatter."""
 import figure
 
 FAMILIES = [("taylor_copper", "Taylor bars, copper"), ("taylor_6061", "Taylor bars, 6061-T6"), ("taylor_4340", "Taylor bars, 4340"),
             ("oblique_sphere", "oblique spheres"), ("impulsive_plates", "plates under impulse"), ("square_tubes", "square tubes")]
+QUANTITIES = {"length": "length", "foot": "diameter of foot", "belly": "diameter of belly", "deflection": "deflection of plates",
+              "tangent": "tangent of rebound", "spin": "spin", "force": "mean force"}
 
 
-def draw(points, bias, scatter, u_measured, others):
+def draw(points, bands):
     """The figure.
 
-    points      [(family, measured, computed)], all without a unit and positive
-    bias, scatter, u_measured   of the points that count [-]
-    others      [(family, measured, computed)] of batches whose metal is not that of the constants: open marks, in no band
+    points  [(family, quantity, measured, computed, counts)], numbers without a unit and positive; `counts` is false for batches whose metal
+            is not that of the constants: open marks, in no band
+    bands   {quantity: (bias, scatter, u_measured, number)} of the points that count [-]
     """
-    made, (upper, lower) = figure.new_figure(figure.DOUBLE_COLUMN, 120.0, rows=2, ratios=(2, 1))
-    values = [x for one in points for x in one[1:3]] + [x for one in others for x in one[1:3]]
-    low, high = 0.8 * min(values), 1.25 * max(values)
-    ends = [low, high]
-    upper.plot(ends, ends, color="#000000", linewidth=0.8)
-    lower.axhline(1, color="#000000", linewidth=0.8)
-    for part, style in ((2 * u_measured, (0, (2, 2))), (None, "-"), (2 * scatter, (0, (6, 2)))):
-        levels = [1 - part, 1 + part] if style == (0, (2, 2)) else [bias] if part is None else [bias * (1 - part), bias * (1 + part)]
-        colour = "#000000" if style == (0, (2, 2)) else "#D55E00"
-        for level in levels:
-            upper.plot(ends, [level * x for x in ends], color=colour, linestyle=style, linewidth=0.6)
-            lower.axhline(level, color=colour, linestyle=style, linewidth=0.6)
-    for number, (family, title) in enumerate(FAMILIES):
-        look = figure.CURVES[number]
-        for some, filled in (([one for one in points if one[0] == family], True), ([one for one in others if one[0] == family], False)):
-            if not some:
-                continue
-            measured, computed = [one[1] for one in some], [one[2] for one in some]
-            marks = {"linestyle": "", "marker": look["marker"], "color": look["color"], "markersize": 3,
-                     "markerfacecolor": look["color"] if filled else "none", "markeredgewidth": 0.5}
-            upper.plot(measured, computed, label=f"{title} ({len(some)})" if filled else f"{title}, not counted ({len(some)})", **marks)
-            lower.plot(measured, [c / m for m, c in zip(measured, computed)], **marks)
-    upper.set_xscale("log")
-    upper.set_yscale("log")
-    lower.set_xscale("log")
-    upper.set_ylabel("computed")
-    lower.set_xlabel("measured (ratios of lengths, tangents, spins and forces)")
-    lower.set_ylabel("computed / measured")
-    upper.legend(loc="upper left", ncols=2)
+    quantities = [name for name in QUANTITIES if any(one[1] == name for one in points)]
+    made, whole, row = figure.new_overview(len(quantities), height=130.0)
+    values = [x for one in points for x in one[2:4]]
+    ends = [0.8 * min(values), 1.25 * max(values)]
+    whole.plot(ends, ends, color="#000000", linewidth=0.8)
+    for family, title in FAMILIES:
+        for counts in (True, False):
+            some = [one for one in points if one[0] == family and one[4] == counts]
+            if some:
+                put(whole, family, counts, some, False, f"{title} ({len(some)})" if counts else f"{title}, another temper ({len(some)})")
+    whole.set(xscale="log", yscale="log", xlabel="measured", ylabel="computed")
+    whole.legend(loc="upper left", ncols=2)
+    for axes, quantity in zip(row, quantities):
+        band(axes, [one for one in points if one[1] == quantity], bands.get(quantity))
+        axes.set_title(title_of(quantity, bands.get(quantity)), fontsize="small")
+        axes.set_xlabel("measured")
+    row[0].set_ylabel("computed / measured")
     return made
+
+
+def title_of(quantity, found):
+    """
+    >>> title_of("length", (0.965, 0.037, 0.01, 51))
+    'length (51)\\nbias 0.965, scatter 0.037'
+    """
+    return f"{QUANTITIES[quantity]} ({found[3]})\nbias {found[0]:.3f}, scatter {found[1]:.3f}" if found else QUANTITIES[quantity]
+
+
+def put(axes, family, counts, points, as_ratio, label=None):
+    look = figure.CURVES[[name for name, _ in FAMILIES].index(family)]
+    axes.plot([one[2] for one in points], [one[3] / one[2] if as_ratio else one[3] for one in points], linestyle="", marker=look["marker"],
+              color=look["color"], markersize=3, markerfacecolor=look["color"] if counts else "none", markeredgewidth=0.5, label=label)
+
+
+def band(axes, points, found):
+    """The ratio of one quantity: its bias, twice the scatter of the model about it, twice the uncertainty of measurements about one."""
+    axes.axhline(1, color="#000000", linewidth=0.8)
+    if found:
+        bias, scatter, u, _ = found
+        axes.axhspan(bias * (1 - 2 * scatter), bias * (1 + 2 * scatter), color="#D55E00", alpha=0.15, linewidth=0)
+        axes.axhline(bias, color="#D55E00", linewidth=0.8)
+        for level in (1 - 2 * u, 1 + 2 * u):
+            axes.axhline(level, color="#000000", linestyle=(0, (2, 2)), linewidth=0.6)
+    for family, counts in dict.fromkeys((one[0], one[4]) for one in points):
+        put(axes, family, counts, [one for one in points if (one[0], one[4]) == (family, counts)], True)

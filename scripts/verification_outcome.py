@@ -21,6 +21,7 @@ class Row:
     full: bool = False           # not in the quick suite
     departs: list = dataclasses.field(default_factory=list)  # [word, value] of numerics that are not the defaults
     chaotic: bool = False        # its error is one of many within the limit
+    evidence: str = ""           # of a check or a miss
 
 
 @dataclasses.dataclass
@@ -53,6 +54,10 @@ class Outcome:
 
     def gated(self):
         return [row for row in self.rows if row.kind in ("check", "miss")]
+
+    def kinds(self):
+        """Kinds of evidence: that of the case, then those that single checks have beside it."""
+        return list(dict.fromkeys([self.evidence, *sorted({row.evidence for row in self.gated() if row.evidence})]))
 
     def closest(self):
         """The check whose error is the largest part of its limit, of those that are not chaotic if there are such."""

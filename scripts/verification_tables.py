@@ -23,7 +23,7 @@ def case_block(out):
     """The generated part of the README of a case."""
     pictures = [f"![{caption or name.replace('_', ' ')}]({name}.svg)\n" for name, caption, _ in out.figures if name]
     lines = [BEGIN, "", *pictures, "| check | expected | got | error | limit | |", "|---|---|---|---|---|---|"]
-    lines += [case_line(row) for row in out.rows]
+    lines += [case_line(row, out) for row in out.rows]
     reasons = [row for row in out.rows if row.because]
     if reasons:
         lines += ["", "Reasons of the limits:", ""]
@@ -44,8 +44,13 @@ def departure_lines(out):
             for why in dict.fromkeys(out.departures.values())]
 
 
-def case_line(row):
-    return f"| {row.name} | {row.expected} | {row.got} | {row.error} | {row.limit} | {row.word} |"
+def named(row, out):
+    """The name of a row, and its evidence where that is not what the case says."""
+    return row.name if row.evidence in ("", out.evidence) else f"{row.name} ({row.evidence})"
+
+
+def case_line(row, out):
+    return f"| {named(row, out)} | {row.expected} | {row.got} | {row.error} | {row.limit} | {row.word} |"
 
 
 def rough(seconds):
@@ -68,7 +73,7 @@ def section_of(catalogue, evidence):
 
 def quick_part(out):
     """The rows that the quick suite has too."""
-    return Outcome(out.name, out.level, rows=[row for row in out.rows if not row.full])
+    return Outcome(out.name, out.level, evidence=out.evidence, rows=[row for row in out.rows if not row.full])
 
 
 def suite_line(out):
@@ -79,7 +84,7 @@ def suite_line(out):
     status = "FAIL" if not out.good() else f"{missed} MISS" if missed else "pass"
     numbers = f" {', '.join(out.catalogue)}" if out.catalogue else ""
     case = f"[{out.name}](../verification/{out.name}/README.md){numbers}"
-    return f"| {case} | {out.claim} | {out.evidence} | {name} | {error} | {limit} | {defaults.of_checks(quick.gated())} | {status} |"
+    return f"| {case} | {out.claim} | {', '.join(quick.kinds())} | {name} | {error} | {limit} | {defaults.of_checks(quick.gated())} | {status} |"
 
 
 def suite_block(lines, sections):
@@ -166,10 +171,11 @@ def stale_case(folder, out):
             written.setdefault(entries(line)[0], line)  # the checks stand first; a table may have rows of the same name
     faults = []
     for row in out.rows:
-        if row.name not in written:
-            faults.append(f"{path}: has no row '{row.name}'; scripts/verify {out.name} --full --write makes it")
-        elif not same_row(written[row.name], row):
-            faults.append(f"{path}: is stale:\n  {written[row.name]}\n  {case_line(row)}")
+        name = named(row, out)
+        if name not in written:
+            faults.append(f"{path}: has no row '{name}'; scripts/verify {out.name} --full --write makes it")
+        elif not same_row(written[name], row):
+            faults.append(f"{path}: is stale:\n  {written[name]}\n  {case_line(row, out)}")
     faults += [f"{path}: does not say why {word} is not the default" for word, why in out.departures.items() if f": {why}.\n" not in text]
     faults += [f"{folder / one}.svg: is missing" for one, _, _ in out.figures if one and not (folder / f"{one}.svg").is_file()]
     return faults

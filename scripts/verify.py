@@ -5,8 +5,8 @@
     scripts/verify.py [NAME ...] [--quick | --full] [--jobs N] [--drivers FOLDER] [--out FOLDER] [--write]
     scripts/verify.py --stale [--out FOLDER]
 
-NAME is a folder of verification/; without one, all. `--quick` (the default) leaves out what a case marks as long, `--full` runs
-everything. Runs are kept in FOLDER (out/verify) and made anew only when program, values of the case or settings change, so
+NAME is a folder of verification/; without one, all. `--quick` (the default) leaves out what a case marks as long, tries the first of
+its breaks that is not, and makes no second run on the defaults; `--full` runs everything. Runs are kept in FOLDER (out/verify) and made anew only when program, values of the case or settings change, so
 an interrupted suite goes on where it stopped. The report is FOLDER/report.html, for each level (quick, full) the newest
 outcome of every case is in FOLDER/quick or FOLDER/full. `--write` puts table and figures into the folders of the cases
 and the table of all into docs/verified.md; `--stale` runs nothing and says where these differ from the quick outcomes in FOLDER.
@@ -20,7 +20,7 @@ A case is a folder with `accept.py`, which has
     CHANGE             keys that are set in every run of that file; optional
     CHECKS             Check, Report and Miss: a function of the run that gives a Pair, and the limit of its error
     STUDIES            Falls: the error of a check along one key; Table: rows of a function of the run
-    BREAKS             Breaks: a plausible mistake and the check that must notice it; at least one
+    BREAKS             Breaks: a plausible mistake and the check that must notice it; at least one, the cheapest first
     FIGURES            Figure: curves of the run over the exact ones; at least one
     WAIVERS            Waiver: runs that need not keep a gate that holds for every run, and why; optional
     DEPARTURES         {numerics that checks set away from the program's defaults: why}; several words have a comma between them
@@ -78,6 +78,7 @@ class Check:
     """A number that must be right: measure(run) gives a Pair whose error stays within the limit.
 
     chaotic   another processor or build gives another error within the limit: `because` says how far they spread
+    evidence  what kind of number it is held against, where that is not what the case says
     """
     name: str
     measure: object
@@ -85,6 +86,7 @@ class Check:
     because: str
     full: bool = False
     chaotic: bool = False
+    evidence: str | None = None
 
 
 @dataclasses.dataclass
@@ -105,6 +107,7 @@ class Miss:
     because: str
     why: str
     full: bool = False
+    evidence: str | None = None
 
 
 @dataclasses.dataclass
@@ -264,7 +267,7 @@ def check_row(one, run):
 
 
 def gate_rows(runs, waivers, whole=True):
-    """What every run of a case must keep, its studies and breaks included: a line for each gate with the worst of them. Without its
+    """What every run of a case must keep, its studies and breaks included: a line for each gate with the worst of them. Without all
     studies and breaks a case is not `whole`, and a waiver may excuse nothing."""
     judged = [(run, errors) for run in runs if (errors := gates.errors(run))]
     return [gate_row(gate, limit, [(run, errors[gate]) for run, errors in judged if errors[gate] is not None],
@@ -430,6 +433,8 @@ class Case:
         for one in self.accept.CHECKS:
             if not one.because:
                 return f"'{one.name}' has no reason"
+            if getattr(one, "evidence", None) not in (None, *EVIDENCE):
+                return f"the evidence of '{one.name}' is '{one.evidence}', expected is one of {', '.join(EVIDENCE)}"
         for one in getattr(self.accept, "WAIVERS", []):
             if one.gate not in gates.LIMITS or not one.because:
                 return f"a waiver has no reason, or names '{one.gate}', which is no gate"
@@ -437,6 +442,10 @@ class Case:
 
     def studies(self):
         return getattr(self.accept, "STUDIES", [])
+
+    def breaks(self, full):
+        """All, or for the quick level the first that is not long."""
+        return self.accept.BREAKS if full else [one for one in self.accept.BREAKS if not one.full][:1]
 
     def case_file(self):
         return getattr(self.accept, "CASE", f"verification/{self.name}/case.yaml")
@@ -464,7 +473,7 @@ class Case:
             out.rows.append(Row("fault", "the run reaches its end", "", run.ending, "", "", "FAIL", False, run.summary["ending"]["reason"]))
             return
         checks = {one.name: one for one in self.accept.CHECKS}
-        for one in [*self.accept.CHECKS, *([*self.studies(), *self.accept.BREAKS] if with_breaks else [])]:
+        for one in [*self.accept.CHECKS, *([*self.studies(), *self.breaks(full)] if with_breaks else [])]:
             if one.full and not full:
                 continue
             seen, asked = len(out.rows), len(run.runner.given)
@@ -483,6 +492,7 @@ class Case:
             for row in out.rows[seen:]:
                 row.full, row.chaotic = one.full, getattr(one, "chaotic", False)
                 if row.kind in ("check", "miss"):
+                    row.evidence = one.evidence or self.accept.EVIDENCE
                     used = run.runner.given[asked:] or [run]
                     row.departs = sorted({(word, value) for each in used for _, word, value, _ in defaults.departures(each)}, key=str)
         if not with_breaks:
@@ -491,7 +501,7 @@ class Case:
         self.judge_departures(out, run, full)
         waivers = [one for one in getattr(self.accept, "WAIVERS", []) if full or not one.full]
         self.draw(out, run, full, with_figures)
-        out.rows[:0] = gate_rows(run.runner.done.values(), waivers)
+        out.rows[:0] = gate_rows(run.runner.done.values(), waivers, whole=full)
 
     def judge_departures(self, out, run, full):
         """Every departure of a check has its reason, and no reason is left over; a case with contact shows what the defaults give."""
@@ -503,7 +513,7 @@ class Case:
         if spare:
             out.rows.append(fault_row("departures", CannotRun(f"in DEPARTURES, and no check departs in it: {', '.join(spare)}")))
         out.departures = {word: reasons[word] for word in departs if word in reasons}
-        lines = self.with_defaults(out, run) if defaults.with_contact(run) else []
+        lines = self.with_defaults(out, run) if full and defaults.with_contact(run) else []
         if lines:
             out.tables.append(("The same checks with the defaults, which gate nothing:", ["check", "error", "with the defaults"], lines))
 

@@ -219,6 +219,15 @@ class Dyna(Import):
             self.assertEqual(self.read(".k", text)[0], plain)
         self.assertEqual(list(plain.groups), ["part_1"])
 
+    def test_a_sign_behind_a_keyword_goes_before_the_format_of_the_file(self):
+        plain, _ = self.read(".k", DYNA + SOLID)
+        for of_file, sign, number, size in (("LONG=Y", "-", 8, 16), ("LONG=Y", " -", 8, 16), ("I10=Y", "-", 8, 16), ("", "+", 20, 20),
+                                            ("", "%", 10, 16), ("LONG=Y", "", 20, 20), ("I10=Y", "", 10, 16), ("", "", 8, 16)):
+            with self.subTest(of_file=of_file, sign=sign):
+                nodes = "".join(f"{n:>{number}}" + columns(size, *p) for n, p in CUBE.items())
+                text = f"*KEYWORD {of_file}\n*NODE{sign}\n{nodes}*ELEMENT_SOLID{sign}\n" + columns(number, 1, 1, *CUBE)
+                self.assertEqual(self.read(".k", text)[0], plain)
+
     def test_sets_of_many_kinds(self):
         deck = DYNA + "       9" + columns(16, 2, 0, 1) + "      10" + columns(16, 2, 1, 1) + SOLID \
             + "*ELEMENT_SHELL_THICKNESS\n" + columns(8, 1, 2, 6, 9, 10, 7) + columns(16, 1, 1, 1, 1) \

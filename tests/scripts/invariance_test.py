@@ -71,6 +71,13 @@ class LimitsTest(unittest.TestCase):
     def test_what_is_no_number_differs(self):
         self.assertEqual(self.judged(self.limits([0, 0, 0, 0]), [1.0, 1.0, math.nan, 1.0])[0], math.inf)
 
+    def test_the_largest_difference_is_infinite_where_one_is_no_number_in_any_order(self):
+        self.assertEqual(compare_runs.largest({"tip": 0.25, "push": 0.5, "speed": 0.0}), 0.5)
+        names = ("tip", "push", "speed")
+        for no_number in names:
+            found = {name: math.nan if name == no_number else 0.5 for name in names}
+            self.assertEqual(compare_runs.largest(found), math.inf, no_number)
+
     def test_rows_at_other_times_are_not_compared(self):
         other = run(self.folder, "other", {"time [s]": [0.0, 1.5, 2.0 + 1e-12, 3.0], "tip [m]": [1.0, 9.0, 1.0, 1.0]})
         self.assertEqual([time for time, _ in compare_runs.curves(changes.Twin(self.base, other))["tip"]], [0.0, 2.0, 3.0])

@@ -238,6 +238,13 @@ class ReportTest(unittest.TestCase):
         created, limit = report_energy.created_over_time(run)
         self.assertEqual((list(created), limit), (["bar"], 5.0))
 
+    def test_energy_that_comes_from_outside_is_what_the_scene_gains(self):
+        head = "time [s],energy_kinetic [J],energy_bar_elastic [J],energy_push_external_work [J],energy_gravity_potential [J]"
+        run, = report_run.read([self.run_of(history=f"{head}\n0,100,0,0,0\n0.1,120,5,-30,5\n0.2,90,40,-20,-10\n")])
+        groups, outside = report_energy.over_time(run)
+        self.assertEqual(outside.tolist(), [0, 25, 30])
+        self.assertEqual((sum(groups.values()) - outside).tolist(), [100, 100, 100])
+
     def test_every_source_is_in_a_group_of_its_own_kind(self):
         kinds = {"bar": "block", "touch": "interface", "wall": "rigid_plane", "base": "fixed", "push": "pressure", "rope": "spring",
                  "rim": "radiation", "relaxation": "relaxation", "gravity": "gravity", "bar_elastic": "nosuch"}

@@ -53,6 +53,15 @@ class TablesTest(unittest.TestCase):
             self.assertIn("0.7 %", text)
             self.assertNotIn("0.5 %", text)
 
+    def test_evidence_of_a_check_stands_beside_its_name_and_that_of_the_case(self):
+        out = outcome()
+        out.rows[0].evidence, out.rows[1].evidence = "invariant", "exact"
+        self.assertEqual(len(self.stale(out)), 2)
+        tables.write(self.root, {"bar": out}, ["bar"], kind_of)
+        self.assertEqual(self.stale(out), [])
+        self.assertIn("| speed (invariant) |", (self.root / "verification/bar/README.md").read_text())
+        self.assertIn("| exact, invariant |", self.page.read_text())
+
     def test_another_error_is_stale_and_its_rounding_is_not(self):
         self.assertEqual(self.stale(outcome(error=0.0051)), [])
         self.assertEqual(len(self.stale(outcome(error=0.006))), 2)  # in the README of the case and on the page of all

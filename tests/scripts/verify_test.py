@@ -202,6 +202,7 @@ class CaseTest(unittest.TestCase):
     def test_every_rule_of_a_case_can_be_broken(self):
         self.assertIn("BREAKS is empty", self.case(BREAKS="[]").fault)
         self.assertIn("EVIDENCE is", self.case(EVIDENCE="'trust'").fault)
+        self.assertIn("evidence of 'answer'", self.case(CHECKS="[Check('answer', None, 1, 'made up', evidence='trust')]").fault)
         self.assertIn("no check is called", self.case(BREAKS="[Breaks('other', 'a mistake')]").fault)
         self.assertIn("same name", self.case(CHECKS="CHECKS * 2").fault)
         self.assertIn("no reason", self.case(CHECKS="[Check('answer', None, 1, '')]").fault)
@@ -222,7 +223,9 @@ class CaseTest(unittest.TestCase):
             readme = (verify.ROOT / "verification" / name / "README.md").read_text(encoding="utf-8")
             for check in verify.Case(name).accept.CHECKS:
                 with self.subTest(f"{name}: {check.name}"):
-                    lines = [line for line in readme.splitlines() if line.startswith(f"| {check.name} |")]
+                    evidence = getattr(check, "evidence", None)
+                    name = f"{check.name} ({evidence})" if evidence else check.name
+                    lines = [line for line in readme.splitlines() if line.startswith(f"| {name} |")]
                     self.assertGreaterEqual(len(lines), 1, "scripts/verify.py --write brings the table up to date")
                     if not isinstance(check, Report):
                         self.assertIn(f"| {verify.share(check.within)} |", lines[0])
