@@ -35,10 +35,6 @@ def draw(points, bands):
 
 
 def title_of(quantity, found):
-    """
-    >>> title_of("length", (0.965, 0.037, 0.01, 51))
-    'length (51)\\nbias 0.965, scatter 0.037'
-    """
     return f"{QUANTITIES[quantity]} ({found[3]})\nbias {found[0]:.3f}, scatter {found[1]:.3f}" if found else QUANTITIES[quantity]
 
 

@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 import processes
 
 # they judge texts of the tree, build it again, or need a screen
-LEFT_OUT = re.compile(r"house\.|scripts\.(house|pages|syntax|benchmark)$|drivers\.package$|verify\.(tables|pages)$")
+LEFT_OUT = re.compile(r"house\.|scripts\.(house|pages|syntax|benchmark|seeded_faults)$|drivers\.package$|verify\.(tables|pages)$")
 SKIPPED = 77
 SLOWER = 5       # times as long as without a fault: a test that hangs has noticed it
 AT_LEAST = 30.0  # [s]

@@ -493,6 +493,7 @@ class Case:
                 row.full, row.chaotic = one.full, getattr(one, "chaotic", False)
                 if row.kind in ("check", "miss"):
                     row.evidence = one.evidence or self.accept.EVIDENCE
+                if row.kind in ("check", "miss", "report"):
                     used = run.runner.given[asked:] or [run]
                     row.departs = sorted({(word, value) for each in used for _, word, value, _ in defaults.departures(each)}, key=str)
         if not with_breaks:
@@ -514,6 +515,8 @@ class Case:
             out.rows.append(fault_row("departures", CannotRun(f"in DEPARTURES, and no check departs in it: {', '.join(spare)}")))
         out.departures = {word: reasons[word] for word in departs if word in reasons}
         lines = self.with_defaults(out, run) if full and defaults.with_contact(run) else []
+        if full and not lines and all(row.departs for row in out.rows if row.kind in ("check", "miss", "report")):
+            out.rows.append(fault_row("departures", CannotRun("no check runs on the defaults, and no report shows the error that they give")))
         if lines:
             out.tables.append(("The same checks with the defaults, which gate nothing:", ["check", "error", "with the defaults"], lines))
 

@@ -126,12 +126,17 @@ class ByDefaultTest(unittest.TestCase):
 
 
 class ReasonsTest(unittest.TestCase):
-    def judged(self, reasons, full=True):
+    def judged(self, reasons, full=True, one_by_default=True):
         case = verify.Case.__new__(verify.Case)
         case.accept = types.SimpleNamespace(DEPARTURES=reasons, CHECKS=[])
-        out = verify.Outcome("bar", "full", rows=rows_of([("viscosity", 0.0)], [("method", "penalty")]))
+        out = verify.Outcome("bar", "full", rows=rows_of([("viscosity", 0.0)], [("method", "penalty")], *([[]] if one_by_default else [])))
         case.judge_departures(out, run_of(AS_USUAL), full)
         return out
+
+    def test_one_check_or_report_has_the_defaults(self):
+        reasons = {"viscosity, method": "made up"}
+        self.assertFalse(self.judged(reasons, one_by_default=False).good())
+        self.assertTrue(self.judged(reasons, full=False, one_by_default=False).good())
 
     def test_each_departure_has_its_reason(self):
         out = self.judged({"viscosity, method": "made up"})
