@@ -45,6 +45,8 @@ class Outcome:
     runs: int = 0
     made: int = 0
     seconds: float = 0.0  # of all runs, when they were made
+    folders: list = dataclasses.field(default_factory=list)   # names of the folders of its runs, that of the base run first
+    left_out: list = dataclasses.field(default_factory=list)  # (kind, name) of what the level leaves out
 
     def good(self):
         return bool(self.rows) and all(row.good for row in self.rows)

@@ -1,9 +1,10 @@
 """The report of the verification suite: one HTML file that needs nothing else.
 
-An overview, a page per case, a page of limitations. Pages are parts of the file, shown one at a time by their address
-(#case); printed, they follow one another.
+An overview that begins with what was run, a page per case, a page of limitations. The page of a case shows its set-up before its results.
+Pages are parts of the file, shown one at a time by their address (#case); printed, they follow one another.
 """
 import base64
+import collections
 import html
 import math
 import re
@@ -12,7 +13,9 @@ import markdown
 
 import defaults
 import figure as drawing
+import verification_setup as setup
 import verification_tables as tables
+from report_text import duration
 from runs import ROOT
 from verification_outcome import Outcome
 
@@ -34,6 +37,14 @@ td.number { text-align: right; white-space: nowrap; } td.word { white-space: now
 figure { margin: 1rem 0; } figure img { max-width: 100%; } figcaption { font-size: .86rem; color: var(--quiet); }
 code { font-size: .86em; } pre { background: #f5f5f5; padding: .6rem; overflow-x: auto; font-size: .82rem; }
 img.formula { vertical-align: middle; }
+table.facts { width: auto; } table.facts td:first-child { white-space: nowrap; padding-right: 1.2rem; color: var(--quiet); }
+.wide { overflow-x: auto; } caption { text-align: left; font-size: .86rem; color: var(--quiet); padding: .2rem 0; }
+.missing { border: 1px dashed #888; padding: .4rem .7rem; color: var(--quiet); } summary { cursor: pointer; font-size: .86rem; }
+.shot { position: relative; max-width: 42rem; border: 1px solid var(--line); } .shot figure { margin: 0; }
+.shot img { display: block; width: 100%; height: auto; } .shot svg.triad { position: absolute; left: .3rem; bottom: .3rem; }
+.legend { font-size: .86rem; color: var(--quiet); max-width: 42rem; margin: .4rem 0 1rem; } .whole { white-space: nowrap; }
+.swatch { display: inline-block; width: 1.1em; height: .8em; border: 1px solid #555; margin-right: .4em; vertical-align: -.05em; }
+.dot { display: inline-block; width: .6em; height: .6em; border-radius: 50%; } .swatch, .dot { print-color-adjust: exact; }
 section.page { display: none; } section.page:target { display: block; }
 body:has(section.page:target) section#overview { display: none; } section#overview { display: block; }
 @media print { section.page, body:has(section.page:target) section#overview { display: block; page-break-before: always; } }
@@ -49,12 +60,13 @@ def write(folder, level, names, asked):
         except (OSError, ValueError, TypeError):
             missing.append(name)
     path = folder / "report.html"
-    path.write_text(page(outcomes, missing, level, asked), encoding="utf-8")
+    path.write_text(page(outcomes, missing, level, asked, folder / "runs"), encoding="utf-8")
     return path
 
 
-def page(outcomes, missing, level, asked):
-    parts = [overview(outcomes, missing, level, asked), *(case_page(out) for out in outcomes.values()), limitations(outcomes)]
+def page(outcomes, missing, level, asked, runs):
+    """The text of the report; `runs` is the folder of the runs."""
+    parts = [overview(outcomes, missing, level, asked, runs), *(case_page(out, runs) for out in outcomes.values()), limitations(outcomes)]
     head = ("<meta charset='utf-8'><meta name='viewport' content='width=device-width'><title>Nereid: verification</title>"
             f"<style>{STYLE}</style>")
     return f"<!doctype html>\n<html lang='en'><head>{head}</head><body>\n" + "\n".join(parts) + "\n</body></html>\n"
@@ -66,28 +78,18 @@ NAVIGATION = "<nav><a href='#overview'>Overview</a> · <a href='#limitations'>Li
 # ------------------------------------------------------------------------------------------------
 # Overview
 
-def overview(outcomes, missing, level, asked):
-    rows = [row for out in outcomes.values() for row in out.rows]
-    count = {kind: sum(row.kind == kind for row in rows) for kind in ("check", "miss", "break", "study")}
-    failed = [out.name for out in outcomes.values() if not out.good()]
-    seconds, runs = sum(out.seconds for out in outcomes.values()), sum(out.runs for out in outcomes.values())
-    commits = sorted({out.provenance.get("commit", "unknown")[:12] for out in outcomes.values() if out.provenance})
-    said = "every check passes and every break is noticed"
-    if failed:
-        said = f"<span class='FAIL'>{len(failed)} fail</span>: " + ", ".join(f"<a href='#{name}'>{name}</a>" for name in failed)
-    text = ["<section id='overview'>", "<h1>Nereid: verification</h1>", NAVIGATION,
-            f"<p>{len(outcomes)} cases, {count['check']} checks, {count['study']} refinement studies, {count['break']} breaks: {said}; "
-            f"{count['miss']} known <a href='#limitations'>misses</a>.</p>",
-            f"<p class='quiet'>The {level} suite: {runs} runs of {seconds / 60:.1f} minutes on one core, programs of commit "
-            f"{', '.join(commits)}. <em>exact</em>: against a closed form. <em>order</em>: the error falls at the predicted rate. "
-            "<em>invariant</em>: must hold in any configuration. <em>benchmark</em>: other codes agree in a stated range, which verifies "
-            "nothing. "
-            "A <em>break</em> is a plausible mistake that a check must notice. The bar is error over limit.</p>"]
+def overview(outcomes, missing, level, asked, runs):
     failed_to_run, others = [name for name in missing if name in asked], [name for name in missing if name not in asked]
+    text = ["<section id='overview'>", "<h1>Nereid: verification</h1>", NAVIGATION, "<h2>What was run</h2>",
+            facts(outcomes, missing, level, runs)]
     if failed_to_run:
         text.append(f"<p class='FAIL'>Not run: {', '.join(failed_to_run)}.</p>")
     if others:
         text.append(f"<p class='quiet'>Without results at this level, since no command asked for them: {', '.join(others)}.</p>")
+    text.append("<p class='quiet'><em>exact</em>: against a closed form. <em>order</em>: the error falls at the predicted rate. "
+                "<em>invariant</em>: must hold in any configuration. <em>benchmark</em>: other codes agree in a stated range, which "
+                "verifies nothing. <em>experiment</em>: against measurements. A <em>break</em> is a plausible mistake that a check must "
+                "notice. The bar is error over limit.</p>")
     for letter, title in tables.SECTIONS.items():
         of_section = [out for out in outcomes.values() if tables.section_of(out.catalogue, out.evidence) == letter]
         if of_section:
@@ -95,6 +97,74 @@ def overview(outcomes, missing, level, asked):
                      "<th>limit</th><th></th><th>defaults</th><th>breaks</th><th></th></tr>",
                      *(overview_row(out) for out in of_section), "</table>"]
     return "\n".join([*text, "</section>"])
+
+
+def facts(outcomes, missing, level, runs):
+    """What was run, in a table: cases, checks, programs, runs, machine, and what was not run."""
+    outs = list(outcomes.values())
+    rows = [row for out in outs for row in out.rows]
+    kinds = {kind: [row for row in rows if row.kind == kind] for kind in ("check", "study", "break", "miss")}
+    evidence = collections.Counter(row.evidence or out.evidence for out in outs for row in out.rows if row.kind == "check")
+    failed = [out.name for out in outs if not out.good()]
+    unlike = ", ".join(f"<a href='#{name}'>{name}</a>" for name in failed)
+    noticed = sum(row.good for row in kinds["break"])
+    said = [("level", f"{level}; <code>scripts/verify --{level}</code>"),
+            ("cases", f"{len(outs)} of {len(outs) + len(missing)} have an outcome at this level"),
+            ("checks", f"{len(kinds['check'])}" + (f": {counted(evidence)}" if evidence else "")),
+            ("studies and breaks", f"{len(kinds['study'])} refinement studies; {len(kinds['break'])} breaks, {noticed} of them noticed"),
+            ("known misses", f"<a href='#limitations'>{len(kinds['miss'])}</a>"),
+            ("failures", f"<span class='FAIL'>{len(failed)} fail</span>: {unlike}" if failed else
+             "none: every check passes and every break is noticed" if outs else "no case was judged"),
+            ("programs", programs_of(outs)), ("runs", runs_of(outs, runs)), ("machine", machine_of(outs)),
+            ("left out", left_out_of(outs, level))]
+    return "<table class='facts'>" + "".join(f"<tr><td>{name}</td><td>{text}</td></tr>" for name, text in said if text) + "</table>"
+
+
+def counted(counts, most=None):
+    """The entries of a counter, the most frequent first: 'exact 12, order 3'."""
+    return ", ".join(f"{plain(str(name))} {count}" for name, count in counts.most_common(most))
+
+
+def programs_of(outs):
+    """Versions, commits and builds of the programs; how many cases each has where there are several."""
+    def build(made):
+        native = "for the processor that built it" if made.get("native") else ""
+        return ", ".join(filter(None, [made.get("compiler"), made.get("flags"), made.get("build_type"), native]))
+
+    def commit(made):
+        text, _, dirty = made.get("commit", "unknown").partition("-")
+        return f"version {made.get('version', 'unknown')}, commit {text[:12]}" + (", with changes that are not committed" if dirty else "")
+
+    having = [out.provenance for out in outs if out.provenance]
+    programs = collections.Counter(out.program for out in outs if out.provenance)
+    parts = [counted(programs) + " cases"] if programs else ["unknown: no run was finished"]
+    for found in (collections.Counter(map(commit, having)), collections.Counter(map(build, having))):
+        parts += [f"{plain(text)}" + (f" ({count} cases)" if len(found) > 1 else "") for text, count in found.most_common()]
+    return "; ".join(parts)
+
+
+def runs_of(outs, runs):
+    """How many runs there are, how many were new, and their time."""
+    names = dict.fromkeys(name for out in outs for name in out.folders)
+    records = [record for name in names if (record := setup.record_of(runs / name))]
+    seconds = sum(record.get("processor_seconds") or record["seconds"] for record in records)
+    count, made = len(names) + sum(out.runs for out in outs if not out.folders), sum(out.made for out in outs)
+    said = f"{count} runs, {made} of them new when their case was judged; processor time {duration(seconds)}"
+    return said + (f" of the {len(records)} that are kept" if len(records) < count else "")
+
+
+def machine_of(outs):
+    processors = collections.Counter(out.provenance["processor"] for out in outs if out.provenance.get("processor"))
+    threads = sorted({out.cost["threads"] for out in outs if out.cost.get("threads")})
+    said = [plain(name) + (f" ({count} cases)" if len(processors) > 1 else "") for name, count in processors.most_common()]
+    return "; ".join([*said, *([f"threads of a run: {', '.join(map(str, threads))}"] if threads else [])])
+
+
+def left_out_of(outs, level):
+    """How much of the full level this one leaves out."""
+    counts = collections.Counter(kind for out in outs for kind, _ in out.left_out)
+    names = [f"{counts[kind]} {words[counts[kind] != 1]}" for kind, words in setup.KINDS.items() if counts[kind]]
+    return f"{', '.join(names)}, which are of the full level only" if names else "" if level == "quick" else "nothing"
 
 
 def overview_row(out):
@@ -108,7 +178,8 @@ def overview_row(out):
     number = f"<br><span class='quiet'>{', '.join(out.catalogue)}</span>" if out.catalogue else ""
     breaks = [row for row in out.rows if row.kind == "break"]
     return ("<tr><td><a "
-            f"href='#{out.name}'>{out.name.replace('_', ' ')}</a>{number}</td><td>{inline(out.claim)}</td><td>{out.evidence}</td>"
+            f"href='#{out.name}'>{out.name.replace('_', ' ')}</a>{number}</td><td>{inline(out.claim)}</td>"
+            f"<td>{', '.join(out.kinds())}</td>"
             f"<td>{name}</td><td class='number'>{error}</td><td class='number'>{limit}</td><td>{bar}</td>"
             f"<td>{plain(defaults.of_checks(out.gated()))}</td>"
             f"<td class='number'>{sum(row.good for row in breaks)}/{len(breaks)}</td><td class='word {word.split()[-1]}'>{word}</td></tr>")
@@ -117,15 +188,16 @@ def overview_row(out):
 # ------------------------------------------------------------------------------------------------
 # A case
 
-def case_page(out):
+def case_page(out, runs):
     folder = ROOT / "verification" / out.name
     title, text = authored(folder / "README.md", out)
-    parts = [f"<section class='page' id='{out.name}'>", NAVIGATION, f"<h1>{html.escape(title)}</h1>", text, *map(picture, out.figures),
-             "<h3>Checks</h3>", rows_table([row for row in out.rows if row.kind not in ("study", "break")])]
+    parts = [f"<section class='page' id='{out.name}'>", NAVIGATION, f"<h1>{html.escape(title)}</h1>", text, setup.what_ran(runs, out),
+             *(["<h3>Results</h3>"] if out.figures else []), *map(picture, out.figures),
+             "<h3>Checks</h3>", rows_table([row for row in out.rows if row.kind not in ("study", "break")], out)]
     for kind, heading in (("study", "Studies"), ("break", "Breaks")):
         rows = [row for row in out.rows if row.kind == kind]
         if rows:
-            parts += [f"<h3>{heading}</h3>", rows_table(rows)]
+            parts += [f"<h3>{heading}</h3>", rows_table(rows, out)]
     for heading, columns, body in out.tables:
         parts += [f"<h3>{inline(heading)}</h3>", table(columns, body)]
     reasons = [row for row in out.rows if row.because]
@@ -153,12 +225,12 @@ def picture(entry):
     return f"<figure><img alt='{html.escape(name)}' src='{as_address(svg)}'><figcaption>{said}</figcaption></figure>"
 
 
-def rows_table(rows):
+def rows_table(rows, out):
     lines = []
     for row in rows:
         word = "FAIL" if not row.good else "MISS" if row.kind == "miss" else "pass" if row.kind != "report" else "quiet"
         numbers = "".join(f"<td class='number'>{html.escape(text)}</td>" for text in (row.expected, row.got, row.error, row.limit))
-        lines.append(f"<tr><td>{inline(row.name)}</td>{numbers}<td class='word {word}'>{html.escape(row.word)}</td></tr>")
+        lines.append(f"<tr><td>{inline(tables.named(row, out))}</td>{numbers}<td class='word {word}'>{html.escape(row.word)}</td></tr>")
     return "<table><tr><th></th><th>expected</th><th>got</th><th>error</th><th>limit</th><th></th></tr>" + "".join(lines) + "</table>"
 
 

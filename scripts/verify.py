@@ -6,10 +6,11 @@
     scripts/verify.py --stale [--out FOLDER]
 
 NAME is a folder of verification/; without one, all. `--quick` (the default) leaves out what a case marks as long, tries the first of
-its breaks that is not, and makes no second run on the defaults; `--full` runs everything. Runs are kept in FOLDER (out/verify) and made anew only when program, values of the case or settings change, so
-an interrupted suite goes on where it stopped. The report is FOLDER/report.html, for each level (quick, full) the newest
-outcome of every case is in FOLDER/quick or FOLDER/full. `--write` puts table and figures into the folders of the cases
-and the table of all into docs/verified.md; `--stale` runs nothing and says where these differ from the quick outcomes in FOLDER.
+its breaks that is not, and makes no second run on the defaults; `--full` runs everything. Runs are kept in FOLDER (out/verify) and made
+anew only when program, values of the case or settings change, so an interrupted suite goes on where it stopped. The report is
+FOLDER/report.html, for each level (quick, full) the newest outcome of every case is in FOLDER/quick or FOLDER/full. `--write` puts table
+and figures into the folders of the cases and the table of all into docs/verified.md; `--stale` runs nothing and says where these differ
+from the quick outcomes in FOLDER.
 The exit status is 1 if a check fails, if a break breaks nothing, if a known miss misses no more, or if something is stale.
 
 A case is a folder with `accept.py`, which has
@@ -463,7 +464,14 @@ class Case:
             out.rows.append(fault_row("the run", error))
         out.runs, out.made = len(store.done), sum(run.made for run in store.done.values())
         out.seconds = store.seconds()
+        out.folders, out.left_out = [run.folder.name for run in store.done.values()], self.left_out(full)
         return out
+
+    def left_out(self, full):
+        """(kind, name) of what the case has and the level leaves out."""
+        kept = [one for one in [*self.accept.CHECKS, *self.studies(), *self.breaks(full)] if full or not one.full]
+        every = [*self.accept.CHECKS, *self.studies(), *self.accept.BREAKS]
+        return [(type(one).__name__.lower(), name_of(one)) for one in every if not any(one is other for other in kept)]
 
     def judge(self, out, store, full, with_figures, with_breaks):
         run = self.base_run(store)
@@ -487,8 +495,7 @@ class Case:
                 else:
                     out.rows.append(break_row(one, checks, run, full) if isinstance(one, Breaks) else check_row(one, run))
             except Exception as error:  # whatever a case does wrong is a check that fails, and the others still run
-                name = getattr(one, "title", None) or getattr(one, "mistake", None) or getattr(one, "name", None) or one.check
-                out.rows.append(fault_row(name, error))
+                out.rows.append(fault_row(name_of(one), error))
             for row in out.rows[seen:]:
                 row.full, row.chaotic = one.full, getattr(one, "chaotic", False)
                 if row.kind in ("check", "miss"):
@@ -516,7 +523,7 @@ class Case:
         out.departures = {word: reasons[word] for word in departs if word in reasons}
         lines = self.with_defaults(out, run) if full and defaults.with_contact(run) else []
         if full and not lines and all(row.departs for row in out.rows if row.kind in ("check", "miss", "report")):
-            out.rows.append(fault_row("departures", CannotRun("no check runs on the defaults, and no report shows the error that they give")))
+            out.rows.append(fault_row("departures", CannotRun("no check runs on the defaults, and no report shows their error")))
         if lines:
             out.tables.append(("The same checks with the defaults, which gate nothing:", ["check", "error", "with the defaults"], lines))
 
@@ -562,6 +569,11 @@ def kind_of(name, root=ROOT):
     """Numbers of the catalogue of a case, and its kind of evidence."""
     accept = Case(name, root).accept
     return accept.CATALOGUE, accept.EVIDENCE
+
+
+def name_of(one):
+    """Of a Check, Report, Miss, Falls, Table or Breaks."""
+    return getattr(one, "title", None) or getattr(one, "mistake", None) or getattr(one, "name", None) or one.check
 
 
 def fault_row(name, error):
