@@ -1,5 +1,8 @@
 #include "dynamics/archive.hpp"
 
+#include <cstring>
+#include <vector>
+
 #include "base/archive.hpp"
 #include "mesh/box.hpp"
 #include "tests/dynamics/scene.hpp"
@@ -60,6 +63,42 @@ TEST(StateAsBytes, HasALayoutThatTheVersionOfCheckpointsKnows) {
   scene.state.rigid_planes[0].shape_points.resize(1);  // as if a round body lay on it
   EXPECT_EQ(bytes_of(scene.model, scene.state).size(), 33710U)
       << "what a checkpoint holds has changed: raise `version` in drivers/restart.cpp, then write the new size here";
+}
+
+/// Gives each number of a part of a state a value of its own. Needs a part that has nothing but numbers of eight bytes.
+template <class Part>
+void mark(Part& part, double& next) {
+  static_assert(sizeof(Part) % sizeof(double) == 0);
+  for (std::size_t place = 0; place < sizeof(Part); place += sizeof(double), next += 1)
+    std::memcpy(reinterpret_cast<char*>(&part) + place, &next, sizeof next);
+}
+template <class Part>
+void expect_same(const std::vector<Part>& one, const std::vector<Part>& other, const char* what) {
+  ASSERT_EQ(one.size(), other.size()) << what;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    for (std::size_t place = 0; place < sizeof(Part); place += sizeof(double))
+      EXPECT_EQ(std::memcmp(reinterpret_cast<const char*>(&one[i]) + place, reinterpret_cast<const char*>(&other[i]) + place,
+                            sizeof(double)), 0) << what << ", number " << place / sizeof(double);
+}
+
+TEST(StateAsBytes, HasEveryNumberOfPartsThatAreNumbersAlone) {
+  const Scene scene = blocks(contact::Method::multiplier);
+  State state = scene.state;
+  double next = 1.5;
+  const auto fill = [&next](auto& parts, std::size_t count) {
+    parts.resize(count);
+    for (auto& part : parts) mark(part, next);
+  };
+  fill(state.conditions, 2), fill(state.probes, 2), fill(state.sections, 2), fill(state.footings, 2), fill(state.rigid_bodies, 2);
+  fill(state.constraints.account, 2), fill(state.ledger.accounts, 2);
+  const State read = state_of(scene.model, bytes_of(scene.model, state));
+  expect_same(state.conditions, read.conditions, "condition");
+  expect_same(state.probes, read.probes, "probe");
+  expect_same(state.sections, read.sections, "section");
+  expect_same(state.footings, read.footings, "footing");
+  expect_same(state.rigid_bodies, read.rigid_bodies, "rigid body");
+  expect_same(state.constraints.account, read.constraints.account, "plane");
+  expect_same(state.ledger.accounts, read.ledger.accounts, "account");
 }
 
 TEST(StateAsBytes, OfAnotherModelIsRefused) {

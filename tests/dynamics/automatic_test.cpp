@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "dynamics/side.hpp"
 #include "dynamics/step.hpp"
@@ -11,6 +14,7 @@
 #include "mesh/disc.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/skin.hpp"
+#include "rigid/mass.hpp"
 #include "tests/dynamics/scene.hpp"
 
 namespace nereid::dynamics::automatic_test {
@@ -127,6 +131,65 @@ TEST(ConnectAutomatic, OfAPlateThatIsThickerThanItsElementsAreLongStartsApartFro
   model.blocks.push_back(element::plates(model.mesh, "strip", hard, options));
   finalize(model);
   for (const Connected& one : connect_automatic(model, "all", {{"strip", true}}, {}, {})) EXPECT_EQ(one.gaps.penetrating, 0);
+}
+
+/// A box of a material, which may be a rigid body.
+struct Brick {
+  Vec3 size;
+  Eigen::Vector3i cells;
+  material::Elastic law;
+  bool is_rigid = false;
+};
+
+/// Heights of contact of one brick over another one, in an automatic contact that lists them in this order or in the other one.
+contact::Heights heights_of(const Brick& one, const Brick& other, bool one_first) {
+  Model model;
+  const Vec3 above(0, 0, one.size.z() + 0.1);
+  model.mesh = mesh::join(mesh::box("one", {Vec3::Zero(), one.size, one.cells}),
+                          mesh::box("other", {above, above + other.size, other.cells}));
+  for (const char* name : {"one", "other"}) {
+    const bool is_one = std::string(name) == "one";
+    const Brick& brick = is_one ? one : other;
+    const Table<8>& nodes = mesh::hexahedra(model.mesh, name).nodes;
+    model.mesh.surfaces.push_back({std::string(name) + ".skin", mesh::skin(model.mesh.X, {mesh::hexahedra(model.mesh, name)}).facets});
+    model.blocks.push_back(element::hexahedra(model.mesh, name, brick.law, {}));
+    model.rigid_of_block.push_back(brick.is_rigid ? static_cast<Index>(model.rigid_bodies.size()) : -1);
+    if (!brick.is_rigid) continue;
+    rigid::Moments sum;
+    rigid::add_hexahedra(model.mesh.X, nodes, brick.law.density, Vec3::Zero(), sum);
+    model.rigid_bodies.push_back(
+        rigid::make_body(name, rigid::properties(sum, Vec3::Zero()), model.mesh.X, mesh::node_set(model.mesh, name)));
+  }
+  model.held_bodies.resize(model.rigid_bodies.size());
+  finalize(model);
+  InterfaceOptions options;
+  options.heights = contact::Heights::points;
+  std::vector<TouchingBody> list{{"one", false}, {"other", false}};
+  if (!one_first) std::swap(list[0], list[1]);
+  connect_automatic(model, "all", list, {}, options);
+  const contact::Bodies& bodies = std::get<contact::Interface>(model.contacts[0]).bodies;
+  const Index place = one_first ? 0 : 1;
+  const contact::Between& there = bodies.between[bodies.pair(place, 1 - place)];
+  const contact::Between& back = bodies.between[bodies.pair(1 - place, place)];
+  EXPECT_NE(there.heights, back.heights) << "one has the apexes over points, the other one guards";
+  return there.heights;
+}
+
+TEST(ConnectAutomatic, GivesTheApexesToFinerFacesThenToWhatIsNotRigidThenToTheSofterThenToTheSmaller) {
+  const Brick usual{Vec3(1, 1, 1), {2, 2, 2}, hard};
+  Brick finer = usual, rigid = usual, softer = usual, smaller = usual;
+  finer.cells = {3, 3, 3}, rigid.is_rigid = true, softer.law = soft, smaller.size.x() = 0.5, smaller.cells.x() = 1;
+  Brick rigid_and_finer = finer, rigid_and_smaller = smaller, softer_and_coarser = softer;
+  rigid_and_finer.is_rigid = rigid_and_smaller.is_rigid = true, softer_and_coarser.cells = {1, 1, 1};
+  const std::vector<std::pair<Brick, Brick>> apexes_and_guards{{finer, usual},         {rigid_and_finer, usual},    {usual, rigid},
+                                                               {usual, rigid_and_smaller}, {usual, softer_and_coarser}, {softer, usual},
+                                                               {smaller, usual}};
+  for (std::size_t i = 0; i < apexes_and_guards.size(); ++i)
+    for (const bool first : {true, false}) {
+      const auto& [apexes, guards] = apexes_and_guards[i];
+      EXPECT_EQ(heights_of(apexes, guards, first), contact::Heights::points) << i << " " << first;
+      EXPECT_EQ(heights_of(guards, apexes, first), contact::Heights::guards) << i << " " << first;
+    }
 }
 
 constexpr double askew = 0.2;  // [rad]

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "base/check.hpp"
 #include "contact/penalty/impact_step.hpp"
@@ -226,6 +230,33 @@ TEST(Connect, PenetrationsAreReportedAndWhereAcceptedRemoved) {
     EXPECT_NEAR(joint.gaps.least, wanted == contact::InitialPenetration::accept ? 0 : -0.005,
                 1e-15);
   }
+}
+
+TEST(Connect, AnOverlapThatIsAcceptedMovesNothingAndIsNoPenetration) {
+  for (const auto heights : {contact::Heights::nodes, contact::Heights::points})
+    for (const auto method : {contact::Method::multiplier, contact::Method::penalty})
+      for (const double overlap : {0.002, 0.02}) {  // of elements 0.1 m deep
+        Model model = two_boxes(-overlap);
+        InterfaceOptions options;
+        options.method = method, options.heights = heights, options.two_passes = heights == contact::Heights::points;
+        options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
+        options.initial_penetration = contact::InitialPenetration::accept;
+        std::vector<contact::AnyMemory> memories;
+        for (Connected& one : connect(model, "joint", "above.z_low", "below.z_high", options)) memories.push_back(std::move(one.memory));
+        State state = initial_state(model, memories);
+        Forces forces = make_forces(model);
+        start(model, state, forces);
+        const double dt = 0.5 * state.step_limits.elements.step;
+        for (int i = 0; i < 5; ++i) step(model, dt, state, forces);
+        SCOPED_TRACE((heights == contact::Heights::points ? "points " : "nodes ") + std::to_string(static_cast<int>(method)));
+        EXPECT_LT(state.v.cwiseAbs().maxCoeff(), 1e-9 * overlap / dt);
+        for (const contact::AnyMemory& any : state.contacts) {
+          EXPECT_LT(contact::sides(any).deepest, 1e-9 * overlap);
+          if (!std::holds_alternative<contact::Memory>(any)) continue;
+          for (const contact::Near& near : std::get<contact::Memory>(any).near)
+            EXPECT_GT(std::get<contact::Memory>(any).gap[static_cast<std::size_t>(near.apex)], -1e-9 * overlap);
+        }
+      }
 }
 
 TEST(Connect, RoundOffIsNoPenetration) {

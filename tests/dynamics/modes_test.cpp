@@ -198,6 +198,28 @@ TEST(Modes, SeeSpringsAndPointMasses) {
   EXPECT_NEAR(omega(modes.lowest[0]) / std::sqrt(k / (20 + 7.850)), 1, 1e-6);
 }
 
+TEST(Modes, OfTwoBodiesOnASpringAreOneOfTheirReducedMassAndARigidMotion) {
+  const double k = 1000;
+  for (const bool second_first : {false, true}) {
+    Model model = box({0.1, 0.1, 0.1}, {1, 1, 1}, steel);
+    model.mesh = mesh::join(model.mesh, mesh::box("b", {Vec3(0, 0, 0.3), Vec3(0.1, 0.1, 0.5), {1, 1, 1}}));
+    model.blocks.push_back(element::hexahedra(model.mesh, "b", steel, {.viscosity = none}));
+    finalize(model);
+    for (const char* body : {"a", "b"})
+      for (const Vec3& normal : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())}) hold(model, body, PlaneKind::constrained, normal);
+    const Subset &low = mesh::node_set(model.mesh, "a.z_high"), &high = mesh::node_set(model.mesh, "b.z_low");
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index from = second_first ? high[i] : low[i], to = second_first ? low[i] : high[i];
+      model.loads.emplace_back(load::spring_between("s" + std::to_string(i), model.mesh.X, from, to, k / 4, 0));
+    }
+    const double a = model.mass.head(8).sum(), b = model.mass.tail(8).sum();
+    const Modes modes = find_modes(model, 2, 1);
+    EXPECT_EQ(modes.without_stiffness, 1);
+    EXPECT_LT(modes.asymmetry, 1e-9);
+    EXPECT_NEAR(omega(modes.lowest[1]) / std::sqrt(k * (1 / a + 1 / b)), 1, 1e-4);
+  }
+}
+
 TEST(Modes, ForgetDashpotsAndViscosity) {
   Model still = sheet(1, 3, 0.05), viscous = sheet(1, 3, 0.05);
   viscous.blocks.clear();

@@ -1461,6 +1461,33 @@ TEST(Multipliers, SlideWithTheCoefficientTimesTheNormalImpulseAndStickBelowIt) {
   }
 }
 
+TEST(Multipliers, HaveInEveryRowTheFrictionThatWasTakenByThen) {
+  for (const bool on_plane : {true, false}) {
+    Scene s;
+    s.model.mesh = mesh::join(mesh::box("box", {{0, 0, 0}, {0.3, 0.2, 0.2}, {3, 2, 2}}),
+                              mesh::box("ground", {{-0.5, -0.1, -0.1}, {0.8, 0.3, 0}, {6, 3, 1}}));
+    for (const char* name : {"box", "ground"}) s.model.blocks.push_back(element::hexahedra(s.model.mesh, name, rubber, {}));
+    s.model.constraints.planes = {plane("hold", PlaneKind::fixed, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "ground"))};
+    s.model.gravity = Vec3(0, 0, -9.81);
+    finalize(s.model);
+    if (on_plane) s.model.rigid_planes.push_back(wall(s, "box.z_low", Vec3::UnitZ(), 0.3, 0));
+    else s.joined("wall", "box.z_low", "ground.z_high", by_multipliers(0, 0.3));
+    s.ready();
+    s.move("box", {2, 0, 0});
+    const double dt = 0.5 * least(start(s.model, s.state, s.forces));
+    double most_created = 0;
+    for (int i = 0; i < 60; ++i) {
+      step(s.model, dt, s.state, s.forces);
+      update_ledger(s.model, s.state);
+      most_created = std::max(most_created, std::abs(created(account(s, "wall"))));
+      EXPECT_LT(std::abs(energy_residual(s.state.ledger)), 1e-10 * s.state.ledger.initial_kinetic);
+    }
+    const double taken = account(s, "wall").dissipated[Dissipated::friction];
+    EXPECT_GT(taken, 0.01 * s.state.ledger.initial_kinetic);
+    EXPECT_LT(most_created, 1e-9 * taken) << "half a step has a hundredth of it";
+  }
+}
+
 TEST(Multipliers, GiveTheSameBitsWithAnyThreadsAndWithoutABreak) {
   std::vector<State> states;
   for (const int threads : {1, 2, 4}) {

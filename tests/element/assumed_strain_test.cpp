@@ -65,5 +65,37 @@ TEST(AssumedStrain, FlowTakesWhatIsAlongItAndTheEnergyFalls) {
   }
 }
 
+/// Of two deviators, by their double contraction.
+double cosine(const Symmetric<double>& a, const Symmetric<double>& b) {
+  return contract(a, b) / std::sqrt(contract(a, a) * contract(b, b));
+}
+
+TEST(AssumedStrain, FlowLeavesOfAMomentAlongATangentWhatItsUniaxialStressHasAcrossTheFlow) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto frame = centre_frame<double>({random_point(1), random_point(1), random_point(1)});
+    const Symmetric<double> s = material::deviator(random_tensor(1));
+    const double part = random(0, 1);
+    HourglassMoments<double> m{};
+    m.along = {1, -2, 3};
+    auto left = m;
+    take_along(frame, s, part, 0.3, left);
+    for (int k = 0; k < 3; ++k) {
+      const Point &g = frame.g[k], n = (1 / norm(g)) * g;
+      const auto uniaxial = material::deviator(Symmetric<double>{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z});
+      EXPECT_NEAR(left.along[k], m.along[k] * (1 - part * std::pow(cosine(uniaxial, s), 2)), 1e-12) << k;
+    }
+  }
+}
+
+TEST(AssumedStrain, FlowInTensionAlongAnAxisTakesAllOfTheMomentAlongItAndAQuarterOfThoseAcross) {
+  const auto frame = centre_frame<double>({Point{2, 0, 0}, Point{0, 0.5, 0}, Point{0, 0, 1}});
+  HourglassMoments<double> m{};
+  m.along = {1, 1, 1};
+  take_along(frame, Symmetric<double>{2, -1, -1, 0, 0, 0}, 1.0, 0.3, m);
+  EXPECT_NEAR(m.along[0], 0, 1e-15);
+  EXPECT_NEAR(m.along[1], 0.75, 1e-15);
+  EXPECT_NEAR(m.along[2], 0.75, 1e-15);
+}
+
 }  // namespace
 }  // namespace nereid::element::assumed_strain_test

@@ -496,6 +496,26 @@ TEST(Block, PostsItsWorkAndItsEnergiesSinceTheStart) {
   }
 }
 
+TEST(Block, OfFluidHasTheAngularImpulseOfItsForcesByTheTrapezoidalRule) {
+  Scene s = solids(material::LinearFluid{2, 100}, Fluid::Options{.viscosity = {}, .pressure = 5, .gravity = {0.3, -0.2, 0.7}});
+  const auto moment = [&s] {
+    const Vectors force = by_node(s, s.forces.force);
+    Vec3 sum = Vec3::Zero();
+    for (Eigen::Index n = 0; n < force.cols(); ++n) sum += s.x.col(n).cross(force.col(n));
+    return sum;
+  };
+  s.v *= 10;  // at the start both centres of an element are one
+  s.move(0);
+  Vec3 expected = Vec3::Zero(), before = moment();
+  EXPECT_EQ(s.memory.angular_impulse, Vec3::Zero()) << "no time has passed";
+  for (const double dt : {0.1, 0.02, 0.05}) {
+    s.move(dt);
+    const Vec3 now = moment();
+    expected += 0.5 * dt * (before + now), before = now;
+    EXPECT_LT((s.memory.angular_impulse - expected).norm(), 1e-9 * expected.norm());
+  }
+}
+
 TEST(Block, KnowsHowDeepItIsBehindASurface) {
   const mesh::Mesh mesh = mesh::box("box", {Vec3(0, 0, 0), Vec3(2, 3, 4), {1, 1, 1}});
   for (const AnyHexahedronOptions& options : {AnyHexahedronOptions(Hexahedron::Options{}), AnyHexahedronOptions(eight_points)}) {

@@ -317,6 +317,21 @@ TEST(Fluid, MassesOfTheNodesAreWhatAnEvenlyRisingPressureAcceleratesAlike) {
   for (std::size_t node = 4; node < 8; ++node) EXPECT_NEAR(gradient[node].z / share[node], 2, 1e-12);
 }
 
+TYPED_TEST(FluidOf, StartsWithTheHydrostaticPressureOfItsCentroid) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners X = distorted(0.3);
+    Fluid::Options options = with_gravity(inviscid);
+    options.level = -1;  // so high that all of it is pressed
+    double volume = 0, moment = 0;
+    integrate_places(X, [&](const Point& place, double det) {
+      volume += det, moment += det * dot(gravity_of<double>(options), place);
+    });
+    auto e = this->usual(X, options);
+    e.step(X, Corners{}, 1.0);
+    EXPECT_NEAR(e.memory.state.pressure, 0.3 + e.law.density * (moment / volume - options.level), 1e-13);
+  }
+}
+
 TEST(Fluid, WeightIsTheGradientOfTheHeightOfTheCentroid) {
   using D = Dual<24>;
   for (int trial = 0; trial < 10; ++trial) {

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace nereid::geometry::round_test {
 namespace {
@@ -76,6 +79,18 @@ TEST(Round, RimsLieOnTheSurface) {
         EXPECT_NEAR(over_round(shape, leaning(), rim_point(rim, leaning(), angle)).distance, -shape.half_thickness, 1e-15);
         EXPECT_NEAR(rim_tangent(leaning(), angle).dot(leaning().axis), 0, 1e-15);
       }
+}
+
+TEST(Round, HasARimWhereEachOfItsSidesMeetsEachOfItsEnds) {
+  const std::vector<std::vector<double>> radii_of_sides{{}, {0.6}, {0.5, 0.9}, {0.8}};  // of `shapes`
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    std::vector<std::pair<double, double>> expected, found;
+    for (const double radius : radii_of_sides[s])
+      for (const double end : {-1, 1}) expected.emplace_back(radius, end * shapes[s].half_length);
+    for (const Rim& rim : rims(shapes[s])) found.emplace_back(rim.radius, rim.along);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected) << s;
+  }
 }
 
 TEST(Round, TheAngleOfARimIsThatOfThePointFarthestAlongADirection) {

@@ -7,7 +7,9 @@
 #include <random>
 
 #include "base/check.hpp"
+#include "mesh/adjacency.hpp"
 #include "mesh/box.hpp"
+#include "mesh/skin.hpp"
 
 namespace nereid::mesh::mesh_test {
 namespace {
@@ -136,6 +138,15 @@ TEST(TributaryAreas, AreAThirdOfTheFacetsAtTheNode) {
   EXPECT_DOUBLE_EQ(areas(0), 1.0 / 3);
   EXPECT_DOUBLE_EQ(areas(1), 1.0 / 6);
   EXPECT_EQ(areas(2), 0);
+}
+
+TEST(TributaryAreas, OfPlatesCountOneOfTheirTwoSidesAndOfSolidsAll) {
+  const Mesh plate = square(), cube = box("A", {Vec3::Zero(), Vec3::Ones(), {2, 3, 1}});
+  const Subset nodes{0, 1, 2, 3};
+  const Surface &one = surface(plate, "square"), both{"both", both_sides(one.facets)};
+  EXPECT_EQ(tributary_areas(plate, both, nodes), tributary_areas(plate, one, nodes));
+  const Surface around{"around", skin(cube.X, cube.hexahedra).facets};
+  EXPECT_NEAR(tributary_areas(cube, around, surface_nodes(around)).sum(), 6, 1e-14);
 }
 
 /// All six sides of a cube of 1 m with four cells along each, in one surface.

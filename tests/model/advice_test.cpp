@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/model/scenes.hpp"
 
@@ -76,6 +78,28 @@ TEST(StepAdvice, NamesTheRigidPlane) {
   const auto advice = step_advice(simulation, expected_steps(simulation));
   ASSERT_EQ(advice.size(), 1U);
   EXPECT_TRUE(says(advice[0], "rigid plane 'ground' limits the step: this run has ")) << advice[0];
+}
+
+TEST(StepAdvice, SaysOfEachSourceWhatItAloneMakesOfTheSteps) {
+  Scene all = fall(0);
+  all.rigid_planes = {{.name = "ground", .surface = "bar.z_low", .method = contact::Method::penalty, .penalty = 1e15},
+                      {.name = "roof", .surface = "bar.z_high", .method = contact::Method::penalty, .penalty = 4e15}};
+  const auto advice = [](const Scene& scene) {
+    const Simulation simulation = started(scene);
+    return step_advice(simulation, expected_steps(simulation));
+  };
+  std::vector<std::string> alone;
+  for (int source = 0; source < 3; ++source) {
+    Scene one = all;
+    if (source > 0) one.contacts.clear(), one.rigid_planes = {all.rigid_planes[static_cast<std::size_t>(source - 1)]};
+    else one.rigid_planes.clear();
+    for (const std::string& line : advice(one)) alone.push_back(line);
+  }
+  ASSERT_EQ(alone.size(), 3U);
+  EXPECT_EQ(advice(all), alone);
+  const std::string begins = "this run has ";
+  const auto times = [&](const std::string& line) { return std::stod(line.substr(line.find(begins) + begins.size())); };
+  EXPECT_NEAR(times(alone[2]) / times(alone[1]), 2, 0.02) << "a spring of four times the stiffness has half the step";
 }
 
 TEST(StepAdvice, NamesTheElementAndWhatTheStepIsWithoutIt) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +12,9 @@
 #include <functional>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "dynamics/measure.hpp"
 #include "model/notes.hpp"
@@ -265,6 +270,49 @@ TEST(ContactPressure, TimesAreaSumsToTheForceOfEveryKindPassAndMethod) {
           EXPECT_LT(above.area, size * size * (1 + 1e-4));
         }
       }
+}
+
+TEST(ContactPressure, OfTwoPassesIsTheLargestOfBothSurfacesWhicheverHasTheApexes) {
+  constexpr double pressure = 1e6;
+  int larger_on_the_base = 0;
+  enum Kind { points, two_passes, two_passes_by_penalty };
+  for (const Kind kind : {points, two_passes, two_passes_by_penalty})
+    for (const bool small_has_apexes : {true, false}) {
+      Scene scene;
+      scene.bodies = {{.name = "large", .mesh = mesh::Box{Vec3(0, 0, -20e-3), Vec3(60e-3, 60e-3, 0), {2, 2, 1}}, .law = steel},
+                      {.name = "small", .mesh = mesh::Box{Vec3(17e-3, 13e-3, 0), Vec3(37e-3, 33e-3, 20e-3), {3, 3, 1}}, .law = steel}};
+      scene.planes = {{.name = "ground", .kind = load::PlaneKind::fixed, .nodes = {"large.z_low"}}};
+      scene.loads = {{.name = "push", .kind = LoadKind::pressure, .on = "small.z_high", .value = uniform(Vec3(pressure, 0, 0))}};
+      scene.time.end = 14e-6, scene.recording.history = 14e-6;
+      dynamics::InterfaceOptions options;
+      options.two_passes = true;
+      if (kind == points) options.heights = contact::Heights::points;
+      if (kind == two_passes_by_penalty) options.method = contact::Method::penalty;
+      scene.contacts = {{.name = "touch", .apexes = "small.z_low", .base = "large.z_high", .interface = options}};
+      if (!small_has_apexes) std::swap(scene.contacts[0].apexes, scene.contacts[0].base);
+      scene.probes = {{.name = "p", .quantity = "contact_pressure", .of = "touch"}};
+      Simulation simulation = build(scene);
+      run(simulation);
+      const mesh::Mesh& mesh = simulation.model.mesh;
+      Vectors force = Vectors::Zero(3, mesh.X.cols()), moment = Vectors::Zero(3, 0);
+      for (std::size_t c = 0; c < simulation.model.contacts.size(); ++c)
+        contact::with_memory(simulation.model.contacts[c], simulation.state.contacts[c],
+                             [&](const auto& one, const auto& memory) { contact::add_forces(one, memory, force, moment); });
+      std::array<double, 2> largest{};
+      for (const bool of_small : {false, true}) {
+        const std::string face = of_small ? "small.z_low" : "large.z_high";
+        const Subset& nodes = mesh::node_set(mesh, face);
+        const Scalars areas = mesh::tributary_areas(mesh, mesh::surface(mesh, face), nodes);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          largest[of_small] =
+              std::max(largest[of_small], (of_small ? 1 : -1) * force(2, nodes[i]) / areas(static_cast<Eigen::Index>(i)));
+      }
+      const double expected = std::max(largest[0], largest[1]);
+      EXPECT_GT(expected, 0.1 * pressure);
+      EXPECT_NEAR(probe(simulation, "p").last, expected, 1e-3 * expected) << kind << " " << small_has_apexes;
+      larger_on_the_base += largest[!small_has_apexes] > 1.5 * largest[small_has_apexes];
+    }
+  EXPECT_GT(larger_on_the_base, 0);
 }
 
 /// A bar that flies into a wall; they touch by an automatic contact or by a declared one.
@@ -795,6 +843,42 @@ TEST(Gauge, AlongADirectionHasTheTensorThere) {
   const double xx = last(simulation, "xx"), yy = last(simulation, "yy"), xy = last(simulation, "xy");
   EXPECT_GT(std::abs(xy), 1e-7);
   EXPECT_NEAR(last(simulation, "n"), (xx + 4 * yy + 4 * xy) / 5, 1e-18);
+}
+
+TEST(Gauge, AlongAnyDirectionHasWhatTheSixComponentsHaveThere) {
+  Scene scene = strained(0, 0);
+  Mat3 slopes;  // of the displacement, all unlike
+  slopes << 1, 2, -3, 4, -5, 6, 7, -8, 9;
+  slopes *= 1e-6;
+  for (int axis = 0; axis < 3; ++axis)
+    scene.initial[0].value[static_cast<std::size_t>(axis)] = [row = Vec3(slopes.row(axis))](double x, double y, double z, double) {
+      return row.dot(Vec3(x, y, z));
+    };
+  const Vec3 place(0.3, 0.3, 0.3);
+  const std::vector<std::string> components{"xx", "yy", "zz", "xy", "yz", "xz"};
+  const std::vector<Vec3> directions{Vec3(1, 0, 0), Vec3(0, 1, 0),  Vec3(0, 0, 1), Vec3(1, 1, 0),
+                                     Vec3(0, 1, 1), Vec3(1, 0, -1), Vec3(1, 2, -3)};
+  for (const char* quantity : {"strain", "stress"}) {
+    for (const std::string& component : components)
+      scene.probes.push_back({.name = quantity + component, .quantity = quantity, .of = "cube", .component = component, .near = place});
+    for (std::size_t d = 0; d < directions.size(); ++d)
+      scene.probes.push_back({.name = quantity + std::to_string(d), .quantity = quantity, .of = "cube", .near = place,
+                              .along = directions[d].normalized()});
+  }
+  Simulation simulation = build(scene);
+  run(simulation);
+  for (const std::string quantity : {"strain", "stress"}) {
+    const auto at = [&](const char* component) { return last(simulation, quantity + component); };
+    Mat3 tensor;
+    tensor << at("xx"), at("xy"), at("xz"), at("xy"), at("yy"), at("yz"), at("xz"), at("yz"), at("zz");
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+      const Vec3 n = directions[d].normalized();
+      EXPECT_NEAR(last(simulation, quantity + std::to_string(d)), n.dot(tensor * n), 1e-12 * tensor.norm()) << quantity << " " << d;
+    }
+    if (quantity == "strain") {
+      EXPECT_LT((tensor - 0.5 * (slopes + slopes.transpose())).norm(), 1e-3 * tensor.norm());
+    }
+  }
 }
 
 TEST(Gauge, BesideItsBodyIsRefusedAndSoIsOneOfARigidBody) {

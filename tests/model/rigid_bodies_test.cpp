@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/model/scenes.hpp"
 
 namespace nereid::model::rigid_bodies_test {
@@ -21,6 +23,25 @@ TEST(RigidBodies, HaveTheMassOfTheirMesh) {
   EXPECT_EQ(model.rigid_of_block[0], 0);
   EXPECT_EQ(model.rigid_of_block[1], -1);
   EXPECT_EQ(model.longest_step, 1e300);
+}
+
+TEST(RigidBodies, HaveTheMassOfAPointMassOnceInEqualSharesOfTheNodesOfItsSet) {
+  const double bar_mass = 16000, load = 800;
+  for (const bool is_rigid : {true, false}) {
+    Scene scene = with({is_rigid ? rigid(bar()) : bar(), wall()});
+    scene.point_masses = {{.name = "load", .nodes = "bar.x_high", .mass = load}, {.name = "other", .nodes = "wall.x_high", .mass = 50}};
+    const dynamics::Model model = build(scene).model;
+    EXPECT_NEAR(dynamics::total_mass(model), 2 * bar_mass + load + 50, 1e-8);
+    if (!is_rigid) continue;
+    const rigid::MassProperties& mass = model.rigid_bodies[0].mass;
+    const double centre = (bar_mass * 1 + load * 2) / (bar_mass + load);  // [m] along x
+    EXPECT_NEAR(mass.mass, bar_mass + load, 1e-8);
+    EXPECT_LT((mass.centre - Vec3(centre, 0.5, 0.5)).norm(), 1e-12);
+    // four corners of a square of 1 m: load/2 about its axis, load/4 about a side's direction
+    const double about_x = bar_mass / 6 + load / 2;
+    const double about_y = bar_mass * (5.0 / 12 + std::pow(centre - 1, 2)) + load * (0.25 + std::pow(2 - centre, 2));
+    EXPECT_LT((mass.inertia - Mat3(Vec3(about_x, about_y, about_y).asDiagonal())).norm(), 1e-8);
+  }
 }
 
 TEST(RigidBodies, OfRoundMeshesTouchAsTheirShapeWhereverTheyStand) {

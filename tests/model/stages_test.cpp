@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "dynamics/ledger.hpp"
 #include "tests/model/scenes.hpp"
 
@@ -78,6 +82,71 @@ TEST(Stages, AreTheSameAsARunWithoutWhereNothingChanges) {
   run(first), run(second);
   EXPECT_EQ(first.state.x, second.state.x);
   EXPECT_EQ(first.state.ledger.kinetic, second.state.ledger.kinetic);
+}
+
+/// Cubes of 8 t that stand apart, each with a load of its kind that is on in some of three stages of 1 ms.
+Scene loaded(const std::vector<std::string>& off_in_stages) {
+  Scene scene;
+  int place = 0;
+  const auto add = [&](const char* name, LoadKind kind, const std::string& on, const Vec3& value) {
+    const Vec3 low(10.0 * place++, 0, 0);
+    scene.bodies.push_back({.name = name, .mesh = mesh::Box{low, low + Vec3(1, 1, 1), {1, 1, 1}}, .law = steel});
+    scene.loads.push_back({.name = std::string("on_") + name, .kind = kind, .on = name + on, .value = uniform(value)});
+  };
+  add("pulled", LoadKind::force, "", Vec3(8e5, 0, 0));
+  add("pressed", LoadKind::pressure, ".x_low", Vec3(8e5, 0, 0));
+  add("heavy", LoadKind::body_force, "", Vec3(100, 0, 0));
+  for (std::size_t k = 0; k < off_in_stages.size(); ++k) {
+    scene.stages.push_back({.name = "stage_" + std::to_string(k), .duration = 1e-3});
+    for (const Load& load : scene.loads)
+      if (off_in_stages[k] == "off") scene.stages.back().off.push_back(load.name);
+  }
+  scene.time.end = 1e-3 * static_cast<double>(off_in_stages.size());
+  return scene;
+}
+
+TEST(Stages, HaveOfALoadItsForceTimesTheTimeInWhichItIsOn) {
+  for (const std::vector<std::string>& stages : std::vector<std::vector<std::string>>{
+           {"on", "off", "off"}, {"off", "on", "off"}, {"off", "off", "on"}, {"on", "off", "on"}, {"on", "on", "on"}}) {
+    Simulation simulation = build(loaded(stages));
+    run(simulation);
+    const double on = 1e-3 * static_cast<double>(std::count(stages.begin(), stages.end(), "on"));
+    for (const char* body : {"pulled", "pressed", "heavy"}) {
+      double momentum = 0;
+      for (const Index node : mesh::node_set(simulation.model.mesh, body))
+        momentum += simulation.model.mass(node) * simulation.state.v(0, node);
+      const double round_off = std::string(body) == "pressed" ? 1e-4 : 1e-9;  // a face that is pressed grows a little
+      EXPECT_NEAR(momentum, 8e5 * on, round_off * 8e5 * on) << body << " " << stages[0] << " " << stages[1] << " " << stages[2];
+    }
+  }
+}
+
+TEST(Stages, CountTheTimeOfAPlaneFromTheFirstOneInWhichItIsOn) {
+  const auto grows = [](double rate) { return [rate](double t) { return rate * t; }; };
+  const auto in_space = [](double rate) { return [rate](double, double, double, double t) { return rate * t; }; };
+  for (const int late : {0, 1, 2}) {  // stages without the planes
+    Scene scene;
+    for (const char* name : {"pushed", "driven"}) {
+      const Vec3 low(std::string(name) == "pushed" ? 0 : 10, 0, 0);
+      scene.bodies.push_back({.name = name, .mesh = mesh::Box{low, low + Vec3(1, 1, 1), {1, 1, 1}}, .law = steel});
+    }
+    scene.planes = {{.name = "piston", .kind = PlaneKind::constrained, .nodes = {"pushed"}, .normal = Vec3::UnitX()},
+                    {.name = "drive", .kind = PlaneKind::driven, .nodes = {"driven"}}};
+    scene.planes[0].velocity = grows(3), scene.planes[1].field = {in_space(3), in_space(0), in_space(0)};
+    for (int k = 0; k < 4; ++k) {
+      scene.stages.push_back({.name = "stage_" + std::to_string(k), .duration = 1e-3});
+      if (k < late) scene.stages.back().off = {"piston", "drive"};
+    }
+    scene.time.end = 4e-3;
+    Simulation simulation = build(scene);
+    run(simulation);
+    const double on = 1e-3 * (4 - late);
+    for (const char* body : {"pushed", "driven"})
+      for (const Index node : mesh::node_set(simulation.model.mesh, body)) {
+        EXPECT_NEAR(simulation.state.v(0, node), 3 * on, 1e-12) << body << " " << late;
+        EXPECT_NEAR(simulation.state.x(0, node) - simulation.model.mesh.X(0, node), 1.5 * on * on, 1e-12) << body << " " << late;
+      }
+  }
 }
 
 TEST(CheckStages, RefusesWhatCannotBe) {

@@ -103,6 +103,35 @@ TEST(ContactGrid, ShowsEdgesWhereTheyCross) {
   EXPECT_EQ(field(grid.cell_fields, "kind").values(0, before), 4);
 }
 
+TEST(ContactGrid, SaysOfCrossingsWhichTouchAndWhichSlide) {
+  Scene scene;
+  dynamics::State state = scene.state;
+  scene.model.contacts.push_back(contact::EdgeContact());
+  struct Kind {
+    bool closed, acts, stuck;
+    double slides;
+  };
+  const std::vector<Kind> kinds{{false, false, false, 0}, {true, false, false, 0}, {true, true, true, 0}, {true, true, false, 1}};
+  contact::EdgeMemory memory;
+  for (const Kind& kind : kinds) {
+    contact::Crossing crossing;
+    crossing.side = 1, crossing.closed = kind.closed;
+    crossing.node = {0, 1, 2, 3}, crossing.weight = {0.5, 0.5, -0.25, -0.75};
+    if (kind.acts) crossing.friction.make().acts = true, crossing.friction.make().stuck = kind.stuck;
+    memory.crossings.push_back(crossing);
+  }
+  state.contacts.push_back(memory);
+  const Grid grid = contact_grid({scene.model, state, scene.forces, true}, FrameFields::all);
+  const Eigen::MatrixXd slides = field(grid.cell_fields, "slides").values, status = field(grid.cell_fields, "contact_status").values;
+  const Eigen::Index elements = slides.cols() / 2;
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    for (const Eigen::Index half : {Eigen::Index{0}, elements}) {  // as a line and as a facet
+      const Eigen::Index at = half + elements - static_cast<Eigen::Index>(kinds.size() - k);
+      EXPECT_EQ(slides(0, at), kinds[k].slides) << k;
+      EXPECT_EQ(status(0, at), kinds[k].closed ? 1 : 0) << k;
+    }
+}
+
 TEST(WallsGrid, ShowsEachFloorAsARectangleInItsPlane) {
   const Scene scene;
   const Grid grid = walls_grid(scene.view());

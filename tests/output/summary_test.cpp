@@ -58,6 +58,7 @@ Summary example() {
   summary.sources = {{"A_on_B", SourceKind::interface, {Stored::penalty}, {Dissipated::friction}}};
   summary.ledger.accounts = {contact};
   summary.overlaps = {{{"A", "B"}, {"A_on_B"}, 0.5, 0.25, 2, Vec3(1, 2, 3), 0.125}};
+  summary.touched = {{.contact = "A_on_B", .sides = {"A", "B"}, .first = 0.0625, .last = 0.1875, .impulse = Vec3(4, 5, 6)}};
   summary.ledger.flows = {{.passed = 6, .work = -4, .recent = 0, .worst = -0.15}};
   summary.resolved = {{"contact.penalty", 5e11, "Pa/m", false},
                       {"contact.friction", 0.0, "1", true},
@@ -79,6 +80,11 @@ TEST(Summary, SaysHowTheRunEndedAndWhatItFound) {
   EXPECT_HAS(text, R"("overlaps":[{"bodies":["A","B"],"contacts":["A_on_B"],"deepest":{"value":0.5,"unit":"m"})");
   EXPECT_HAS(text, R"("place":{"value":[1.0,2.0,3.0],"unit":"m"},"time":{"value":0.125,"unit":"s"}})");
   EXPECT_HAS(text, R"("not_used":["contact.colour"],"notes":["all is well"],"warnings":[]})");
+}
+
+TEST(Summary, SaysOfEachPairWhenItTouchedFirstAndLastAndWhatItTransmitted) {
+  EXPECT_HAS(written(example()), R"("touched":[{"contact":"A_on_B","sides":["A","B"],"first_touch":{"value":0.0625,"unit":"s"},)"
+                                 R"("last_touch":{"value":0.1875,"unit":"s"},"impulse":{"value":[4.0,5.0,6.0],"unit":"N*s"}}])");
 }
 
 TEST(Summary, NamesTheElementThatEndedTheRun) {

@@ -62,6 +62,25 @@ class TablesTest(unittest.TestCase):
         self.assertIn("| speed (invariant) |", (self.root / "verification/bar/README.md").read_text())
         self.assertIn("| exact, invariant |", self.page.read_text())
 
+    def test_a_quick_outcome_leaves_what_is_long_as_it_was(self):
+        readme = self.root / "verification/bar/README.md"
+        whole = outcome()
+        whole.level = "full"
+        whole.rows[1].because, whole.rows[2].error = "because", "100 %, noticed from 3 % on"
+        tables.write(self.root, {"bar": whole}, ["bar"], kind_of)
+        quick = outcome(error=0.007)
+        quick.rows[1:2] = [verify.Row("check", "new speed", "1 m/s", "1 m/s", "2 %", "4 %", "pass", True, "newly seen", 0.02, 0.04)]
+        quick.left_out = [("check", "fine speed")]
+        tables.write(self.root, {"bar": quick}, ["bar"], kind_of)
+        text = readme.read_text()
+        names = [line.split(" | ")[0] for line in text.splitlines() if line.startswith("| ")]
+        self.assertEqual(names, ["| check", "| speed", "| new speed", "| fine speed", "| *must fail:* slow → speed"])
+        for part in ("| 0.7 % | 1 % |", "- fine speed: because.", "- new speed: newly seen.", "noticed from 3 % on"):
+            self.assertIn(part, text)
+        quick.left_out = []
+        tables.write(self.root, {"bar": quick}, ["bar"], kind_of)
+        self.assertNotIn("fine speed", readme.read_text())
+
     def test_another_error_is_stale_and_its_rounding_is_not(self):
         self.assertEqual(self.stale(outcome(error=0.0051)), [])
         self.assertEqual(len(self.stale(outcome(error=0.006))), 2)  # in the README of the case and on the page of all

@@ -206,6 +206,9 @@ class CaseTest(unittest.TestCase):
         self.assertIn("no check is called", self.case(BREAKS="[Breaks('other', 'a mistake')]").fault)
         self.assertIn("same name", self.case(CHECKS="CHECKS * 2").fault)
         self.assertIn("no reason", self.case(CHECKS="[Check('answer', None, 1, '')]").fault)
+        two = "[*CHECKS, Check('other', None, 1, 'made up'{})]"
+        self.assertIn("nothing breaks 'other'", self.case(CHECKS=two.format("")).fault)
+        self.assertEqual(self.case(CHECKS=two.format(", like='answer'")).fault, "")
         self.assertIn("FIGURES is empty", self.case(FIGURES="[]").fault)
         self.assertIn("changes nothing", self.case(BREAKS="[Breaks('answer', 'a mistake')]").fault)
         self.assertIn("all BREAKS are full", self.case(BREAKS="[Breaks('answer', 'a mistake', {'key': 1}, full=True)]").fault)

@@ -344,6 +344,27 @@ TEST(FindCrossings, GoesOnWithAnOverlapThatWasAccepted) {
   }
 }
 
+TEST(FindCrossings, HoldsEdgesApartByHalfOfThePlatesOfBothSidesWhicheverIsThicker) {
+  constexpr double apart = 0.3, height = 0.01;
+  for (const double one : {0.0, 0.05, 0.15})
+    for (const double other : {0.0, 0.08, 0.12}) {
+      Bars bars(90, apart);
+      bars.contact.height = height;
+      bars.contact.edges.half = Scalars::Constant(bars.contact.edges.nodes.cols(), one);
+      bars.contact.base_edges.half = Scalars::Constant(bars.contact.base_edges.nodes.cols(), other);
+      EdgeWorkspace workspace(bars.contact);
+      connect(bars.contact, bars.mesh.X, bars.memory, workspace);
+      Vectors closer = bars.mesh.X;
+      for (const Index node : mesh::node_set(bars.mesh, "upper")) closer(2, node) -= apart;
+      Steps steps(bars);
+      steps.find(bars, workspace, closer);
+      double least = infinite;
+      for (const Condition& c : steps.all.conditions)
+        if (c.normal.z() > 0.99) least = std::min(least, c.gap);
+      EXPECT_NEAR(least, apart - height - one - other, 1e-12) << one << " " << other;
+    }
+}
+
 TEST(FindCrossings, HoldsAFaceThatLeansWhereTheyAreOverEachOther) {
   Bars bars(90, 0.001, 1);
   EdgeWorkspace workspace(bars.contact);

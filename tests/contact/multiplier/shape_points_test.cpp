@@ -148,6 +148,28 @@ TEST(ShapePoints, CylindersBesideEachOtherTouchAtEndsAndCrossedOnesBetween) {
   EXPECT_NEAR(least(spots), 0.1, 1e-15);
 }
 
+TEST(ShapePoints, CrossedCylindersOfUnlikeLengthHaveTheExactLeastDistanceInBothOrders) {
+  const Round lengthy{.kind = RoundKind::cylinder, .radius = 0.2, .half_length = 2};
+  for (const double y : {0.1, 0.6})           // where the axes cross: along the short one, whose half length is 0.4
+    for (const double x : {0.1, 1.5, 2.2}) {  // and along the long one
+      const PlacedRound at = lying({0, 0, 0}), there{.centre = Vec3(-x, y, 0.7), .axis = Vec3::UnitX(), .across = Vec3::UnitY()};
+      const bool crosses = y < cylinder.half_length && x < lengthy.half_length;
+      double exact = crosses ? 0.7 - cylinder.radius - lengthy.radius : infinite;
+      for (int i = 0; i < 100000; ++i) {
+        const double angle = 2 * pi * i / 100000;
+        for (const geometry::Rim& rim : geometry::rims(cylinder))
+          exact = std::min(exact, geometry::over_round(lengthy, there, geometry::rim_point(rim, at, angle)).distance);
+        for (const geometry::Rim& rim : geometry::rims(lengthy))
+          exact = std::min(exact, geometry::over_round(cylinder, at, geometry::rim_point(rim, there, angle)).distance);
+      }
+      std::vector<Spot> one, other;
+      spots_between(cylinder, at, lengthy, there, one);
+      spots_between(lengthy, there, cylinder, at, other);
+      EXPECT_NEAR(least(one), exact, 1e-9) << y << " " << x;
+      EXPECT_NEAR(least(other), exact, 1e-9) << y << " " << x;
+    }
+}
+
 TEST(ShapePoints, StackedCylindersHaveAllOfARim) {
   std::vector<Spot> spots;
   spots_between(cylinder, {.centre = Vec3::Zero()}, cylinder, {.centre = Vec3(0, 0, 0.81)}, spots);
