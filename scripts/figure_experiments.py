@@ -1,4 +1,4 @@
-"""All points of the comparison with experiments: computed over measured values, and the ratio of each quantity with its bias and scatter."""
+"""All points of the comparison with experiments: computed over measured values, and each quantity with its bias and scatter."""
 import figure
 
 FAMILIES = [("taylor_copper", "Taylor bars, copper"), ("taylor_6061", "Taylor bars, 6061-T6"), ("taylor_4340", "Taylor bars, 4340"),

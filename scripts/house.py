@@ -97,7 +97,6 @@ NEEDS_NO_TEST = {
     "lib/contact/data/face_points.hpp": "data only, of points.hpp",
     "lib/model/remedies.hpp": "data only, each of which has two tests in tests/drivers/remedies.py",
     "lib/contact/tracking/element.hpp": "tested through contact.hpp, whose functions it stands behind",
-    "lib/contact/search/near.hpp": "the same",
     "lib/contact/data/method.hpp": "data only",
     "lib/contact/surface/bodies.hpp": "data only, made by dynamics/automatic.hpp",
     "lib/base/types.hpp": "names only",

@@ -18,7 +18,7 @@ bias (1 - 2 sM) and bias (1 + 2 sM) times its truth. The variance has n - 1.
 import dataclasses
 import math
 
-from convergence import tendency
+from convergence import NO_ORDER_FACTOR, tendency
 
 COVERAGE = 2.0  # k: about 95 of 100
 COLUMNS = ("family", "quantity", "group", "label", "at", "measured", "computed", "u_num", "u_input", "u_measured", "error", "u_val",
@@ -74,12 +74,16 @@ class Point:
 
 
 def u_of_meshes(levels, values):
-    """Standard uncertainty of the finest value over it: Roache's index, taken as an interval of k = 2. Levels grow with the mesh.
+    """Standard uncertainty of the finest value over it: Roache's index, taken as an interval of k = 2. Levels grow with the mesh. Of two
+    meshes it is as much as without an order: three times their spread.
 
     >>> round(u_of_meshes([2, 3, 4], [1 + 2**-2, 1 + 3**-2, 1 + 4**-2]), 4)
     0.0368
+    >>> round(u_of_meshes([2, 3], [1.02, 1.0]), 4)
+    0.03
     """
-    uncertainty = tendency(levels, values)[2]
+    spread = NO_ORDER_FACTOR * (max(values) - min(values))
+    uncertainty = spread if len(levels) == 2 else tendency(levels, values)[2]
     finest = max(zip(levels, values))[1]
     return math.nan if uncertainty is None else abs(uncertainty / finest) / COVERAGE
 

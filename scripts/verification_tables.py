@@ -22,19 +22,83 @@ ROUNDING = 1e-8
 def case_block(out):
     """The generated part of the README of a case."""
     pictures = [f"![{caption or name.replace('_', ' ')}]({name}.svg)\n" for name, caption, _ in out.figures if name]
-    lines = [BEGIN, "", *pictures, "| check | expected | got | error | limit | |", "|---|---|---|---|---|---|"]
+    lines = [BEGIN, "", *pictures, HEAD, "|---|---|---|---|---|---|"]
     lines += [case_line(row, out) for row in out.rows]
     reasons = [row for row in out.rows if row.because]
     if reasons:
-        lines += ["", "Reasons of the limits:", ""]
+        lines += ["", REASONS, ""]
         lines += [f"- {row.name}: {row.because}." for row in reasons]
     if out.departures:
-        lines += ["", "What is not the default:", "", *departure_lines(out)]
+        lines += ["", DEPARTURES, "", *departure_lines(out)]
     for title, columns, body in out.tables:
         lines += ["", title, "", "| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
         lines += ["| " + " | ".join(line) + " |" for line in body]
     lines += ["", f"All {out.runs} runs together take about {rough(out.seconds)} s on one core.", "", END]
     return "\n".join(lines)
+
+
+HEAD, REASONS, DEPARTURES = "| check | expected | got | error | limit | |", "Reasons of the limits:", "What is not the default:"
+WORD = re.compile(r" \((exact|order|invariant|benchmark|experiment)\)$")  # behind the name of a check: its evidence
+KINDS = {"falls": "*study:* {} along ", "breaks": "*must fail:* {} → "}  # how rows of studies and breaks begin
+
+
+def patched_block(old, out):
+    """A block of the full level, with the rows, reasons and departures of a quick outcome in the place of the old ones."""
+    lines = old.splitlines()
+    stays = stays_of(out)
+    lines = patch(lines, HEAD, 2, "| ", kept_lines(old, out), lambda line: WORD.sub("", entries(line)[0]), stays)
+    reasons = {row.name: f"- {row.name}: {row.because}." for row in out.rows if row.because}
+    names = [*reasons, *(name for kind, name in out.left_out)]
+
+    def named_in(line):
+        return max((name for name in names if line.startswith(f"- {name}: ")), key=len, default="")
+    lines = patch(lines, REASONS, 2, "- ", reasons, named_in, stays)
+    gated = any(kind in ("check", "miss") for kind, _ in out.left_out)
+    departs = {line.split(": ", 1)[1]: line for line in departure_lines(out)}
+    lines = patch(lines, DEPARTURES, 2, "- ", departs, lambda line: line.split(": ", 1)[-1], lambda _: gated)
+    return "\n".join(lines)
+
+
+def kept_lines(old, out):
+    """{name: line} of the rows of an outcome; the old line where it says the same, as that of a break also has its smallest fault."""
+    written = written_rows(old)
+    lines = {row.name: written.get(named(row, out), "") for row in out.rows}
+    return {row.name: lines[row.name] if same_row(lines[row.name], row) else case_line(row, out) for row in out.rows}
+
+
+def written_rows(text):
+    """{first entry: line} of the rows of the first table with six columns; a later table may have rows of the same name."""
+    written = {}
+    for line in text.splitlines():
+        if line.startswith("| ") and len(entries(line)) == 6:
+            written.setdefault(entries(line)[0], line)
+    return written
+
+
+def stays_of(out):
+    """Whether the line of this name is of something that the quick level leaves out."""
+    names = {name for kind, name in out.left_out if kind not in KINDS}
+    begins = tuple(KINDS[kind].format(name) for kind, name in out.left_out if kind in KINDS)
+    return lambda name: name in names or bool(begins) and name.startswith(begins)
+
+
+def patch(lines, head, below, mark, new, name_of, stays):
+    """Lines with those that begin with `mark`, from `below` a line `head` on, brought up to date: `new` by name, and old ones that stay.
+    A new one that had no line stands behind the one that comes before it in `new`."""
+    if head not in lines:
+        return lines
+    start = lines.index(head) + below
+    end = start
+    while end < len(lines) and lines[end].startswith(mark):
+        end += 1
+    names = [name_of(line) for line in lines[start:end]]
+    kept = [(name, new.get(name, line)) for name, line in zip(names, lines[start:end]) if name in new or stays(name)]
+    there, place = {name for name, _ in kept}, 0
+    for name, line in new.items():
+        if name not in there:
+            kept.insert(place, (name, line))
+        place = next(number for number, (one, _) in enumerate(kept, 1) if one == name)
+    return [*lines[:start], *(line for _, line in kept), *lines[end:]]
 
 
 def departure_lines(out):
@@ -84,7 +148,8 @@ def suite_line(out):
     status = "FAIL" if not out.good() else f"{missed} MISS" if missed else "pass"
     numbers = f" {', '.join(out.catalogue)}" if out.catalogue else ""
     case = f"[{out.name}](../verification/{out.name}/README.md){numbers}"
-    return f"| {case} | {out.claim} | {', '.join(quick.kinds())} | {name} | {error} | {limit} | {defaults.of_checks(quick.gated())} | {status} |"
+    cells = (case, out.claim, ", ".join(quick.kinds()), name, error, limit, defaults.of_checks(quick.gated()), status)
+    return f"| {' | '.join(cells)} |"
 
 
 def suite_block(lines, sections):
@@ -111,6 +176,12 @@ def page_lines(root):
     return lines_of(page.read_text(encoding="utf-8")) if page.is_file() else {}
 
 
+def old_block(path):
+    """The generated part of a page; empty where there is none."""
+    text = path.read_text(encoding="utf-8") if path.is_file() else ""
+    return text[text.index(BEGIN):text.index(END) + len(END)] if BEGIN in text and END in text else ""
+
+
 def put_block(path, block):
     """Puts the block in place of the old one, or behind the text where there is none."""
     text = path.read_text(encoding="utf-8") if path.is_file() else ""
@@ -120,7 +191,8 @@ def put_block(path, block):
 
 
 def write(root, outcomes, names, kind_of):
-    """Writes tables and figures of these outcomes into the tree; lines of other cases stay as they are.
+    """Writes tables and figures of these outcomes into the tree; lines of other cases stay as they are, and what only the full level has
+    stays where an outcome is quick.
 
     names    of all cases
     kind_of  the numbers of the catalogue and the evidence of a case, by its name
@@ -130,7 +202,8 @@ def write(root, outcomes, names, kind_of):
         for picture, _, svg in out.figures:
             if picture:
                 (folder / f"{picture}.svg").write_text(svg, encoding="utf-8")
-        put_block(folder / "README.md", case_block(out))
+        old = old_block(folder / "README.md") if out.level == "quick" else ""
+        put_block(folder / "README.md", patched_block(old, out) if HEAD in old else case_block(out))
     page = root / PAGE
     page.parent.mkdir(exist_ok=True)
     old = page_lines(root)
@@ -165,11 +238,7 @@ def stale_case(folder, out):
     if not path.is_file():
         return [f"{path}: is missing"]
     text = path.read_text(encoding="utf-8")
-    written = {}
-    for line in text[text.find(BEGIN):].splitlines():
-        if line.startswith("| ") and len(entries(line)) == 6:
-            written.setdefault(entries(line)[0], line)  # the checks stand first; a table may have rows of the same name
-    faults = []
+    written, faults = written_rows(text[text.find(BEGIN):]), []
     for row in out.rows:
         name = named(row, out)
         if name not in written:

@@ -186,9 +186,12 @@ CHECKS = [
     Check("steel on aluminium of equal length, without viscosity: velocity of the aluminium over V",
           lambda run: velocity(scene(run, ALUMINIUM).again({**SHORT_ALUMINIUM, **INVISCID}), 1), 0.01, "the bound asked for"),
     Check("plane strain: force over the time of contact", force_in_plane_strain, 0.03,
-          "the bound of the plateaus. Reflections between the sides, 10 cells apart, come late; the reference is uncertain by 0.08 %"),
-    Check("plane strain: last push after the first touch", last_push, 0.01, "the reference is uncertain by 0.3 %, and a step is 0.4 %"),
-    Check("plane strain: velocity", rebound_in_plane_strain, 0.01, "the bound asked for; the reference is uncertain by 0.03 %"),
+          "the bound of the plateaus. Reflections between the sides, 10 cells apart, come late; the reference is uncertain by 0.08 %",
+          evidence="benchmark"),
+    Check("plane strain: last push after the first touch", last_push, 0.01, "the reference is uncertain by 0.3 %, and a step is 0.4 %",
+          evidence="benchmark"),
+    Check("plane strain: velocity", rebound_in_plane_strain, 0.01, "the bound asked for; the reference is uncertain by 0.03 %",
+          evidence="benchmark"),
 ]
 
 

@@ -4,12 +4,13 @@ from convergence import tendency
 from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ("W-1", "W-2", "W-3")
-CLAIM = ("Settlement of the head and its time lie inside the round robin's range, and between a cask without cladding and one with "
-         "tied cladding.")
+CLAIM = ("The settlement of the head lies between those of a cask without cladding and of one with tied cladding, and is that of finer "
+         "meshes within 1 %.")
 EVIDENCE = "benchmark"
 DRIVER = "cask_drop"
 CASE = "cases/cask_drop/neptune.yaml"
 LEVEL = 2  # of the quick runs
+FINER = 58.5e-3  # [m] settlement on levels 3 and 4 of the quarter and 4 to 8 of the sector, in the table of three meshes
 FEW_FRAMES = {"output.frames_every": "100 ms"}
 CHANGE = {"model.kind": "sector", "mesh.level": LEVEL, **FEW_FRAMES}
 
@@ -103,14 +104,17 @@ def meshes(run):
 
 
 CHECKS = [
-    Check("kinetic energy at the start", start, 1e-9, "the cask's, of chords in the place of arcs; round-off is left"),
-    Check("settlement inside the round robin", lambda run: inside(settlement(run), *ROUND_ROBIN["settlement"], "m"), 1,
-          "1 is on an end of its range, 58 to 72.5 mm; with the mesh it moves by 0.3 mm"),
-    Check("time of it inside the round robin", lambda run: inside(time_of(run), *ROUND_ROBIN["time"], "s"), 1,
-          "1 is on an end of its range, 4.3 to 6.25 ms; with the mesh it moves by 0.1 ms"),
+    Check("kinetic energy at the start", start, 1e-9, "the cask's, of chords in the place of arcs; round-off is left", evidence="exact"),
+    Check("settlement beside that of finer meshes", lambda run: Pair(settlement(run), FINER, "m"), 0.01,
+          "this mesh is 0.4 mm below them; levels 3 to 8 of quarter and sector lie within 0.1 mm of their mean"),
+    Report("settlement inside the round robin", lambda run: inside(settlement(run), *ROUND_ROBIN["settlement"], "m"),
+           "100 % is on an end of its range, 58 to 72.5 mm; with the mesh it moves by 0.3 mm"),
+    Report("time of it inside the round robin", lambda run: inside(time_of(run), *ROUND_ROBIN["time"], "s"),
+           "100 % is on an end of its range, 4.3 to 6.25 ms; with the mesh it moves by 0.1 ms"),
     Check("settlement between a tied skin and none", between, 1,
-          "1 is on a bound: no interface holds more than bonding or less than nothing"),
-    Check("the same as a scene", as_scene, 1e-4, "two programs that set up one model; the peak is between rows of the history"),
+          "1 is on a bound: no interface holds more than bonding or less than nothing", evidence="invariant"),
+    Check("the same as a scene", as_scene, 1e-4, "two programs that set up one model; the peak is between rows of the history",
+          evidence="invariant"),
     Report("settlement beside NEPTUNE", lambda run: Pair(settlement(run), NEPTUNE["settlement"], "m"), "a result of one other program"),
     Report("its time beside NEPTUNE", lambda run: Pair(time_of(run), NEPTUNE["time"], "s"), "a result of one other program"),
 ]
@@ -126,12 +130,12 @@ STUDIES = [
 
 BREAKS = [
     Breaks("kinetic energy at the start", "the speed of a fall of 9 m in place of the printed one", {"initial.speed": "13286 mm/s"}),
-    Breaks("settlement inside the round robin", "Young's modulus of lead as it is, a hundred times the printed one",
+    Breaks("settlement beside that of finer meshes", "Young's modulus of lead as it is, a hundred times the printed one",
            {"lead.young": "1950 kgf/mm^2"}),
-    Breaks("settlement inside the round robin", "steel in kgf/mm^2 read as MPa", {"steel.young": "1.96e4 MPa", "steel.yield": "31.6 MPa",
-        "steel.tangent": "195 MPa"}),
-    Breaks("time of it inside the round robin", "the skin tied to the lead", TIED),
-    Breaks("time of it inside the round robin", "the skin forgotten", BARE),
+    Breaks("settlement beside that of finer meshes", "steel in kgf/mm^2 read as MPa",
+           {"steel.young": "1.96e4 MPa", "steel.yield": "31.6 MPa", "steel.tangent": "195 MPa"}),
+    Breaks("settlement beside that of finer meshes", "the skin tied to the lead", TIED),
+    Breaks("settlement beside that of finer meshes", "the skin forgotten", BARE),
     Breaks("settlement between a tied skin and none", "Young's modulus of lead as it is, a hundred times the printed one",
            {"lead.young": "1950 kgf/mm^2"}),
     Breaks("the same as a scene", "a penalty, and one ten times as soft as usual", {"interface.method": "penalty",

@@ -3,7 +3,7 @@ from math import sqrt
 
 import gates
 from reference import ARRIVAL, CATALOGUE as CODE, FINEST, PEAK, THETA, closed, column, last_displacement, taylor_peak
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table, interpolate
 
 CATALOGUE = ("F-8",)
 CLAIM = "A plate on water that cavitates under it has Taylor's largest velocity, and the displacement of a one-dimensional solution."
@@ -41,6 +41,12 @@ def velocity(run):
     return Pair(sqrt(sum((run.at("velocity", t + ARRIVAL) - v)**2 for t, v in inside) / len(inside)) / taylor_peak()[0], 0, "", scale=1)
 
 
+def after_2_ms(run):
+    """Velocity of the plate 2 ms after the arrival beside that of the one-dimensional solution."""
+    rows = [(t, v) for t, v, _, _ in truth(run)]
+    return Pair(run.at("velocity", ARRIVAL + 2e-3), interpolate([t for t, _ in rows], [v for _, v in rows], 2e-3), "m/s")
+
+
 def closing(run):
     """When the last bubble closes, after the arrival; that of the end where one is open there. [s]"""
     return max(t for t, void in zip(run.column("time"), run.column("voids")) if void > 0) - ARRIVAL
@@ -61,19 +67,22 @@ CHECKS = [
           "weight and pressure balance to round-off, and the first of the wave runs ahead of its front by some cells only"),
     Check("largest velocity of the plate, by Taylor", peak, 0.02,
           "the catalogue's bound: the front is some cells wide, and the plate has its peak when the wave has gone through 24 cells"),
-    Check("largest displacement, beside the catalogue's code",
-          lambda run: Pair(displacement(run), CODE["largest displacement"], "m"), 0.03,
-          "the catalogue's bound: its code still moves by 0.5 % between its finest meshes"),
+    Report("largest displacement, beside the catalogue's code", lambda run: Pair(displacement(run), CODE["largest displacement"], "m"),
+           "its code still moves by 0.5 % between its finest meshes"),
     Check("largest displacement, beside the one-dimensional solution",
           lambda run: Pair(displacement(run), FINEST["largest displacement"], "m"), 0.01,
-          "bubbles that open and close in single cells without end would throw the plate too high by 3 %"),
-    Check("velocity of the plate after 2 ms",
-          lambda run: Pair(run.at("velocity", ARRIVAL + 2e-3), CODE["velocity at 2 ms"], "m/s"), 0.03,
-          "the plate swings a little as single cells close: the catalogue's code by 1 % from mesh to mesh"),
+          "bubbles that open and close in single cells without end would throw the plate too high by 3 %", evidence="benchmark"),
+    Report("velocity of the plate after 2 ms, beside the catalogue's code",
+           lambda run: Pair(run.at("velocity", ARRIVAL + 2e-3), CODE["velocity at 2 ms"], "m/s"),
+           "the plate swings a little as single cells close: the catalogue's code by 1 % from mesh to mesh"),
+    Check("velocity of the plate after 2 ms", after_2_ms, 0.02,
+          "the plate swings a little as single cells close: the catalogue's code by 1 % from mesh to mesh, and the solution by as much",
+          evidence="benchmark"),
     Check("velocity of the plate for 6 ms, beside the one-dimensional solution", velocity, 0.02,
-          "as the peak, whose bound is 2 %"),
+          "as the peak, whose bound is 2 %", evidence="benchmark"),
     Check("when the last bubble closes", lambda run: Pair(closing(run), FINEST["closed"], "s"), 0.03,
-          "the closing sends a second shock: a user needs its time as well as the displacement, within the 3 % of the catalogue"),
+          "the closing sends a second shock: a user needs its time as well as the displacement, within the 3 % of the catalogue",
+          evidence="benchmark"),
     Check("bubbles at the end, over the largest",
           lambda run: Pair(run.column("voids")[-1], 0, "", scale=run.result("voids_largest")), 1e-9,
           "all is at rest again under the weight of plate and air"),
@@ -121,7 +130,6 @@ BREAKS = [
            {"bodies[0].start.hydrostatic": "false"}),
     Breaks("largest velocity of the plate, by Taylor", "the pressure at a rigid wall taken for that of the wave",
            {"loads[1].incident": '"1.42e6*exp(-t/0.9958e-3)"'}),
-    Breaks("largest displacement, beside the catalogue's code", "water that takes tension", WITHOUT_CUT_OFF),
     Breaks("largest displacement, beside the one-dimensional solution", "water that takes tension", WITHOUT_CUT_OFF),
     Breaks("velocity of the plate after 2 ms", "water that takes tension", WITHOUT_CUT_OFF),
     Breaks("velocity of the plate for 6 ms, beside the one-dimensional solution", "a cut-off counted from the pressure of the air",

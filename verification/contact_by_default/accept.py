@@ -24,8 +24,8 @@ APART = {"oblique impact": {"bodies[1].move": "[6 mm, -4 mm, 500 mm]"}, "two bar
          "ball on a plate": {"bodies[0].move": "[0 mm, 0 mm, 500 mm]"},
          "steel skins": {"bodies[2].move": "[-60 mm, -60 mm, 502.5 mm]", "bodies[3].move": "[0 mm, 0 mm, 503 mm]"}}
 SKINS = ("below", "between", "above")   # all contacts of that scene
-# what a user is promised; a thousandth of the energy, and five
-CREATED, LOST = 1e-3, 5e-3
+CREATED = 1e-3  # what a user is promised: a thousandth of the energy
+LOST = 1e-6     # what is left where iterations end at 1e-4 of what impulses exchange, of which first touch is a hundredth
 BY_A_PENALTY = {"ball on a plate": "288196", "steel skins": "265091"}   # steps of runs of minutes
 
 
@@ -70,7 +70,7 @@ def lost_by_skins(run):
 def steps(name):
     """Steps over those of the longest step of the same bodies where they never meet."""
     def measure(run):
-        one, _ = scene(run, name)
+        one, _ = scene(run, name, run.overrides)
         driver, case, more, *_ = OTHERS.get(name, (DRIVER, CASE, {}))
         alone = steps_of_elements(one.column("time")[-1], run.other(driver, case, {**more, **APART[name]}).result("largest_step"))
         return Pair(one.summary["cost"]["steps"], alone, scale=alone)
@@ -80,7 +80,7 @@ def steps(name):
 def made(name):
     """The most that the contact had created at any row, over the energy that the scene began with."""
     def measure(run):
-        one, _ = scene(run, name)
+        one, _ = scene(run, name, run.overrides)
         contact = OTHERS[name][3] if name in OTHERS else "interface"
         return Pair(max(abs(value) for value in one.column(f"energy_created_{contact}")), 0, "J", scale=one.ledger("initial_kinetic"))
     return measure
@@ -88,24 +88,27 @@ def made(name):
 
 def lost(name):
     def measure(run):
-        one, account = scene(run, name)
+        one, account = scene(run, name, run.overrides)
         return Pair(account["dissipated"].get("inelastic_impact", {"value": 0.0})["value"], 0, "J", scale=one.ledger("initial_kinetic"))
     return measure
 
 
-ALL = ("oblique impact", *OTHERS)
+ALL, SLIDES = ("oblique impact", *OTHERS), "block that slides"
+GIVEN_BACK = "what is taken from nodes that are stopped is given back as they part, but for where iterations end: 1e-4 of a hundredth"
 
 CHECKS = [
-    *(Check(f"{name}: steps beside those of the elements", steps(name), 0.1, "the step grows by a twentieth or more, and ends evenly")
-      for name in APART if name != "steel skins"),
+    *(Check(f"{name}: steps beside those of the elements", steps(name), 0.01,
+            "the run ends evenly, within two steps of about two hundred") for name in APART if name != "steel skins"),
     *(Check(f"{name}: created by the contact", made(name), 1e-6, "a thousandth of what would matter, and far above what is seen")
-      for name in ALL if name != "steel skins"),
-    *(Check(f"{name}: lost at first touch", lost(name), LOST, "what is taken from nodes that are stopped is given back as they part")
-      for name in ALL if name != "steel skins"),
-    Check("steel skins: steps beside those of the elements", steps_of_skins, 0.1, "the step grows by a twentieth or more, and ends evenly"),
+      for name in ALL if name not in ("steel skins", SLIDES)),
+    *(Check(f"{name}: lost at first touch", lost(name), LOST, GIVEN_BACK) for name in ALL if name not in ("steel skins", SLIDES)),
+    *(Report(f"{SLIDES}: {what}", measure(SLIDES), "nothing strikes in this scene, and a penalty creates nothing there either")
+      for what, measure in {"created by the contact": made, "lost at first touch": lost}.items()),
+    Check("steel skins: steps beside those of the elements", steps_of_skins, 0.01,
+          "the run ends evenly, within two steps of several hundred"),
     Check("steel skins: created by all contacts", made_by_skins, CREATED,
           "a thousandth is the goal; three contacts act on the nodes of two skins, and iterations end at 1e-4 of what they exchange"),
-    Check("steel skins: lost at first touch", lost_by_skins, LOST, "as of the other scenes"),
+    Check("steel skins: lost at first touch", lost_by_skins, LOST, GIVEN_BACK),
     Report("cask, level 2: settlement beside that of a penalty scale of 2000",
            lambda run: Pair(scene(run, "cask, level 2")[0].result("settlement_mean"), HARD_PENALTY, "m"),
            "a hundred times the usual penalty, on the same mesh"),
@@ -162,6 +165,14 @@ BREAKS = [
     Breaks("steel skins: created by all contacts", "a penalty at the longest step that a case can ask for",
            {"contacts[0].method": "penalty", "contacts[0].energy_gain_limit": 0.04, "time.end": "300 us"}, full=True),
     Breaks("steel skins: lost at first touch", "nodes that give nothing back", {"contacts[0].restitution": 0}),
+    Breaks("two bars: steps beside those of the elements", "the usual penalty", {"contacts[0].method": "penalty"}, full=True),
+    Breaks("ball on a plate: steps beside those of the elements", "the usual penalty, until the ball has touched",
+           {"contacts[0].method": "penalty", "time.end": "0.1 ms"}, full=True),
+    *(Breaks(f"{name}: created by the contact", "a penalty at the longest step that a case can ask for",
+             {"contacts[0].method": "penalty", "contacts[0].energy_gain_limit": 0.04, **more}, full=True)
+      for name, more in {"two bars": {}, "Taylor's bar": {}, "ball on a plate": {"time.end": "0.3 ms"}, "cask, level 2": {}}.items()),
+    *(Breaks(f"{name}: lost at first touch", "nodes that give nothing back", {"contacts[0].restitution": 0, **more}, full=True)
+      for name, more in {"two bars": {}, "Taylor's bar": {}, "ball on a plate": {"time.end": "0.3 ms"}, "cask, level 2": {}}.items()),
 ]
 
 

@@ -68,22 +68,23 @@ def drilling(run):
 DEPARTURES = {}
 
 CHECKS = [
-    Check("mean force, of theory", against(force_of_theory), 0.4,
-          "a mean of rigid plastic hinges, which leaves out how far folds reach to both sides; this mesh is 15 % above a fine one"),
-    Check("mean force, of tests", against(force_of_tests), 0.3, "tests scatter by 15 %, and this mesh is 15 % above a fine one"),
-    Check("length of a fold", of_a_fold, 0.4, "two sides of an element are 4 mm of it; theory has it by minimal force of hinges"),
-    Check("deepest overlap with itself, in elements", overlap, 0.1, "the bound of the audit's warning"),
+    Report("mean force, of theory", against(force_of_theory),
+           "a mean of rigid plastic hinges, which leaves out how far folds reach to both sides; this mesh is 15 % above a fine one"),
+    Report("mean force, of tests", against(force_of_tests), "tests scatter by 15 %, and this mesh is 15 % above a fine one"),
+    Report("length of a fold", of_a_fold, "two sides of an element are 4 mm of it; theory has it by minimal force of hinges"),
+    Check("deepest overlap with itself, in elements", overlap, 0.01,
+          "multipliers leave the way of a step at most, at the speed of the ram 3 um beside an element of 2 mm: six such",
+          evidence="invariant"),
     Report("mean force of a mesh twice as fine, of theory", finer(force_of_theory), "see the table", full=True),
-    Report("mean force of a mesh twice as fine, of tests", finer(force_of_tests), "see the table", full=True),
+    Check("mean force of a mesh twice as fine, of tests", finer(force_of_tests), 0.2,
+          "tests scatter by 15 %, and the table has what a mesh leaves: 5 % more", full=True),
     Report("energy of drilling over the work of the ram", drilling, "what the plate's penalty on turns took: falls with h"),
 ]
 
-THICKER = "a wall a third thicker"
-THICK = {"bodies[0].element.thickness": "1.33 mm", "bodies[1].move": "[0 m, 0 m, -0.2 mm]", "bodies[2].move": "[0 m, 0 m, 0.2 mm]"}
+# with a word beside the number, so that no search for the smallest mistake follows: each of its runs would take more than a minute
+HARDER = {"bodies[0].material.kind": "j2_bilinear", "bodies[0].material.yield": "400 MPa"}
 BREAKS = [
-    Breaks("mean force, of theory", THICKER, THICK),
-    Breaks("mean force, of theory", "a third more yield stress", {"bodies[0].material.yield": "400 MPa"}, full=True),
-    Breaks("mean force, of tests", THICKER, THICK),
+    Breaks("mean force of a mesh twice as fine, of tests", "a third more yield stress", HARDER, full=True),
     Breaks("deepest overlap with itself, in elements", "no contact with itself",
            {"contacts[0].self_contact": "false", "time.overlap_limit": "1e9"}),
 ]

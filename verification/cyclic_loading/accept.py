@@ -144,6 +144,9 @@ def heat(run):
 STUDIES = [Table("Error of the dissipated work over the increments of the first pull.", ["increments", "isotropic", "kinematic"], heat)]
 
 TANGENT = {MATERIAL + "tangent": "1.68969 kgf/mm^2"}  # whose plastic modulus is the table's tangent
+MISTAKEN = {"isotropic": ("kinematic for isotropic hardening", {HARDENING: "kinematic"}),
+            "kinematic": ("isotropic for kinematic hardening", {HARDENING: "isotropic"}),
+            "mixed": ("a share of 0.51 for 0.5", {HARDENING: "mixed", MATERIAL + "isotropic_share": 0.51})}
 BREAKS = [
     Breaks("law, lead, kinematic: reverse yield", "isotropic for kinematic hardening", {HARDENING: "isotropic"}),
     Breaks("law, lead, isotropic: reverse yield", "kinematic for isotropic hardening", {HARDENING: "kinematic"}),
@@ -162,6 +165,15 @@ BREAKS = [
     Breaks("hexahedron of one point, kinematic: plastic strain", "the tangent taken for the plastic modulus", TANGENT),
     Breaks("hexahedron of one point, kinematic: the cycle on the way", "a hundred times the mass",
            {MATERIAL + "density": "1.13e-7 kgf*s^2/mm^4"}),
+    *(Breaks(name, *MISTAKEN[kind], full=True) for kind, names in {
+        "isotropic": ("law, lead, isotropic: the cycle", "law, steel, isotropic: the cycle", "law of a plate, lead, isotropic: the cycle",
+                      "law, steel, isotropic: reverse yield", "law, lead, isotropic: plastic strain",
+                      "hexahedron of one point, isotropic: turning points"),
+        "kinematic": ("law, steel, kinematic: the cycle", "hexahedron of eight points, kinematic: turning points",
+                      "plate, kinematic: turning points"),
+        "mixed": ("law, lead, mixed: the cycle", "law, steel, mixed: the cycle", "law, steel, mixed: reverse yield",
+                  "law, lead, mixed: plastic strain", "law, lead, mixed: dissipated work",
+                  "hexahedron of one point, mixed: turning points", "plate, mixed: turning points")}.items() for name in names),
 ]
 
 

@@ -91,8 +91,8 @@ CHECKS = [
           "the step may let a bar ring by 0.02 of its energy, and grows where it rings by half of that; at a constant step one layer ends "
           "with 0.45"),
     Check("staggering error of the kinetic energy, worst of sixteen bars", staggering, 0.02, "the bound of the step of a blow"),
-    Check("rebound of a cube of one element beside that of one of 8 x 8 x 8",
-          lambda run: Pair(cube(run, 1), cube(run, 8), "", scale=1), 0.1, "one element has no shape for what waves leave behind in a cube"),
+    Report("rebound of a cube of one element beside that of one of 8 x 8 x 8", lambda run: Pair(cube(run, 1), cube(run, 8), "", scale=1),
+           "another mesh of the program: one element has no shape for what waves leave behind in a cube"),
     Check("steps of a bar of 32 layers beside those of one that falls freely", lambda run: Pair(*more_steps(run)), 0.01,
           "a thirty-second of its energy is in the layer that is stopped"),
     Miss("energy at the end with the default viscosity, worst of sixteen bars", lambda run: at_the_end(run, VISCOUS), 0.01,
@@ -118,8 +118,6 @@ BREAKS = [
     Breaks("energy at the end, worst of sixteen bars", "an eighth of the wave's speed: a law in rates keeps no energy then",
            {"initial[0].velocity": '["0", "0", "-4"]'}),
     Breaks("staggering error of the kinetic energy, worst of sixteen bars", "a penalty, which knows no blow", PENALTY),
-    Breaks("rebound of a cube of one element beside that of one of 8 x 8 x 8", "a plane that gives nothing back",
-           {"planes[0].restitution": 0}),
     Breaks("steps of a bar of 32 layers beside those of one that falls freely", "a bar of four layers",
            {"bodies[0].mesh.cells": "[1, 1, 4]"}),
 ]

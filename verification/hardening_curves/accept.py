@@ -133,16 +133,18 @@ CHECKS = [
     *(Check(f"{kind}: plastic strain from the strain alone, every row",
             from_strains(lambda p, _, curve=curve: curve(p), change={CURVE + "kind": kind, **change}), 1e-10, SUMS)
       for kind, (curve, change) in FORMULAS.items()),
-    Check("plane stress as in space, every row", plane_and_space("in_the_plane.yaml", "in_space.yaml", STRESSES), 1e-12, TWICE),
+    Check("plane stress as in space, every row", plane_and_space("in_the_plane.yaml", "in_space.yaml", STRESSES), 1e-12, TWICE,
+          evidence="invariant"),
     Check("two rates in a plate: as in space, every row", plane_and_space("rates_in_the_plane.yaml", "rates_in_space.yaml", STRESSES),
-          1e-12, TWICE),
+          1e-12, TWICE, evidence="invariant"),
     *(Check(f"{kind} by Cowper and Symonds in a plate: as in space, every row",
-            plane_and_space("in_the_plane.yaml", "in_space.yaml", STRESSES, {CURVE + "kind": kind, **of_plates}), 1e-12, TWICE)
+            plane_and_space("in_the_plane.yaml", "in_space.yaml", STRESSES, {CURVE + "kind": kind, **of_plates}), 1e-12, TWICE,
+            evidence="invariant")
       for kind, of_plates in IN_PLATES.items()),
     Check("Johnson and Cook in a plate: as in space, every row", plane_and_space("hot_plate.yaml", "hot_space.yaml", STRESSES), 1e-12,
-          TWICE),
-    Check("Johnson and Cook in a plate: temperature as in space", same_temperature, 1e-12, "of 1 K; as the stress"),
-    Check("Johnson and Cook in a plate: heat", heat, 1e-12, "the same products, summed in another order"),
+          TWICE, evidence="invariant"),
+    Check("Johnson and Cook in a plate: temperature as in space", same_temperature, 1e-12, "of 1 K; as the stress", evidence="invariant"),
+    Check("Johnson and Cook in a plate: heat", heat, 1e-12, "the same products, summed in another order", evidence="invariant"),
 ]
 
 FAST_TABLE = {CURVE + "table": "fast.csv"}

@@ -3,7 +3,7 @@ from functools import cache
 from math import hypot, inf, pi, sqrt
 
 from reference import hertz, pressure_at, shares
-from verify import ROOT, Breaks, Check, Figure, Pair, Report, Table, Waiver, straight_line
+from verify import ROOT, Breaks, Check, Falls, Figure, Pair, Report, Table, Waiver, straight_line
 
 CATALOGUE = ("I-9",)
 CLAIM = ("A ball pressed on a rigid plane has Hertz's force and, node by node, Hertz's pressures at rest; so it has by automatic contact, "
@@ -28,8 +28,8 @@ def approach(run):
     return Pair(run.column("approach")[-1], APPROACH, "m")
 
 
-def force(run):
-    return Pair(PART * run.column("force")[-1], EXACT["force"], "N")
+def force(run, approach=APPROACH):
+    return Pair(PART * run.column("force")[-1], hertz_for(approach)["force"], "N")
 
 
 def balance(run):
@@ -133,7 +133,7 @@ def finer_and_finer(run):
 
 def methods(run):
     rows = [["14", "multipliers", *row_of(run.again(cells(14)))]]
-    return rows + [[f"{count}", "penalty, scale 20", *row_of(run.again({**cells(count), **penalty(20)}))] for count in (5, 7, 10)]
+    return rows + [[f"{count}", "penalty, scale 20", *row_of(run.again({**cells(count), **penalty(20)}))] for count in (5, 7)]
 
 
 def what_is_left(run):
@@ -149,7 +149,7 @@ def what_is_left(run):
             ("approach 4 % more", pressed_on_the_same_mesh(1.04 * APPROACH), 1.04 * APPROACH, False, False),
             ("elements of eight points", {"bodies[0].element.kind": "full"}, APPROACH, False, False),
             ("hourglass coefficient 0.02 for 0.1", {"bodies[0].element.hourglass": 0.02}, APPROACH, False, False),
-            ("relaxed to 1e-6 for 1e-5", {"relaxation.residual": 1e-6}, APPROACH, False, False)):
+            ("relaxed to 1e-5 for 1e-6", {"relaxation.residual": 1e-5}, APPROACH, False, False)):
         one = run.again(change)
         ratio = PART * one.column("force")[-1] / hertz_for(pressed)["force"]
         seen = pressed * ratio**(2 / 3) if of_its_force else pressed
@@ -157,14 +157,24 @@ def what_is_left(run):
     return rows
 
 
-AUTOMATIC, BALLS = "verification/hertz_at_rest/automatic.yaml", "verification/hertz_at_rest/balls.yaml"
+PLANE, AUTOMATIC, BALLS = (f"verification/hertz_at_rest/{name}.yaml" for name in ("case", "automatic", "balls"))
+SMALL, HALF = APPROACH / 16, {"refine": 0.5}
 ONE_PASS = {"contacts": "[{name: touch, heights: nodes, apexes: ball.surface, base: other.surface}]"}
 COARSER = {"contacts": "[{name: touch, heights: nodes, apexes: other.surface, base: ball.surface}]"}
 
 
-def beyond_nodes(run):
-    mine, other = (over_the_circle(run.other("scene", BALLS, keys)).got for keys in (run.overrides, ONE_PASS))
-    return Pair(max(0.0, mine - other), 0, "", scale=1)
+def as_on_the_plane(run):
+    """Force of the block over that of the plane, five elements over the radius; the plane is the case without what a break sets."""
+    block = run if run.case_file.samefile(ROOT / AUTOMATIC) else run.other("scene", AUTOMATIC, {**HALF, **run.overrides})
+    return Pair(block.column("force")[-1], run.other("scene", PLANE, HALF).column("force")[-1], "N")
+
+
+def smaller(measure):
+    """Of a contact of an eightieth of the radius, where the effects of a/R are a quarter of those of the case."""
+    return lambda run: measure(run.again({**pressed_by(SMALL), **run.overrides}), SMALL)
+
+
+SMALL_FORCE, SMALL_NODES = "a/R = 0.0125: force", "a/R = 0.0125: nodal pressures, rms over the contact circle, of the peak"
 
 
 def of(case, measure):
@@ -178,34 +188,38 @@ def other_cases(run):
     return rows + [["ball of eight elements, one pass", *row_of(run.other("scene", BALLS, ONE_PASS))]]
 
 
-DEPARTURES = {"residual": "the default moves the force by 0.1 %, in more steps"}
-
 CHECKS = [
     Check("approach", approach, 1e-4, "the equator moves as it is told, in some thousand steps"),
     Check("force", force, 0.04, "the catalogue's bound; a ball of finite size is a share of a/R = 0.05 away from Hertz's half-space"),
-    Check("largest pressure", largest_pressure, 0.04, "the catalogue's bound"),
+    Check("largest pressure", largest_pressure, 0.01, "the inner nodes, without the rim"),
     Check("contact radius", contact_radius, 0.03, "of the same line; a third of an element"),
     Check("nodal pressures, rms over the contact circle, of the peak", over_the_circle, 0.03,
           "the bound asked for at ten elements over the radius; 1.4 % remain without the effects of a/R = 0.05"),
     Check("nodal pressures against Hertz's at the place of the node, rms, of the peak", at_the_nodes, 0.03,
           "the same bound; it depends on the nodes beside the rim, where Hertz's pressure has an infinite slope"),
-    Check("force on the equator over that of the plane", balance, 0.02,
-          "to the residual of the relaxation, which is over all forces in the ball"),
-    Check("automatic, on a rigid block: force", of(AUTOMATIC, force), 0.04, "as on the plane"),
-    Check("automatic, on a rigid block: largest pressure", of(AUTOMATIC, largest_pressure), 0.04, "as on the plane"),
+    Check("force on the equator over that of the plane", balance, 0.002,
+          "to the residual of the relaxation, which is over all forces in the ball", evidence="invariant"),
+    Check("automatic, on a rigid block: force over that of the plane, five elements", as_on_the_plane, 1e-6,
+          "the flat face of the block is the plane", evidence="invariant"),
+    Check("automatic, on a rigid block: force", of(AUTOMATIC, force), 0.04, "as on the plane", full=True),
+    Check("automatic, on a rigid block: largest pressure", of(AUTOMATIC, largest_pressure), 0.01, "as on the plane", full=True),
     Check("automatic, on a rigid block: nodal pressures, rms over the contact circle, of the peak", of(AUTOMATIC, over_the_circle), 0.03,
-          "as on the plane, which the flat face of the block is"),
-    Check("automatic, two balls: force", of(BALLS, force), 0.04, "as on the plane, by symmetry"),
-    Check("automatic, two balls: largest pressure", of(BALLS, largest_pressure), 0.04, "as on the plane"),
-    Check("automatic, two balls: nodal pressures, rms over the contact circle, of the peak, beyond those of the nodes of the finer ball",
-          beyond_nodes, 0, "points of its faces share the load of each node better than the nodes alone"),
-    Report("automatic, two balls: nodal pressures, rms over the contact circle, of the peak", of(BALLS, over_the_circle),
-           "meshes do not match: nodes of the finer ball alone have 4.7 %, of the other 6.9 %, of both 3.4 %"),
+          "as on the plane, which the flat face of the block is", full=True),
+    Check("automatic, two balls: force", of(BALLS, force), 0.04, "as on the plane, by symmetry", full=True),
+    Check("automatic, two balls: largest pressure", of(BALLS, largest_pressure), 0.01, "as on the plane", full=True),
+    Check("automatic, two balls: nodal pressures, rms over the contact circle, of the peak", of(BALLS, over_the_circle), 0.04,
+          "on the plane 2.8 %; heights at points of unlike faces add 2 to 3 % of the pressure at single nodes: wavy_faces", full=True),
+    Report("automatic, two balls: the same by nodes of the finer ball alone", of(BALLS, lambda run: over_the_circle(run.again(ONE_PASS))),
+           "one declared pass of nodes; the nodes of the other ball have 6.9 %", full=True),
+    Check(SMALL_FORCE, smaller(force), 0.02, "the effects of a/R are 0.5 %, the rest is the mesh's", full=True),
+    Check(SMALL_NODES, smaller(over_the_circle), 0.03, "as at a/R = 0.05", full=True),
 ]
 
 COLUMNS = ["nodes inside", "force", "pressure", "radius", "rms over the circle", "rms at the nodes"]
 STUDIES = [
-    Table("Ten elements over the radius, against a plane and by automatic contact.", ["against", *COLUMNS], other_cases),
+    Falls(SMALL_FORCE, along="refine", values=[0.5, 0.7, 1], order=1, full=True),
+    Falls(SMALL_NODES, along="refine", values=[0.5, 0.7, 1], order=0.8, full=True),
+    Table("Ten elements over the radius, against a plane and by automatic contact.", ["against", *COLUMNS], other_cases, full=True),
     Table("Force, largest pressure and contact radius over Hertz's, and rms errors of the nodal pressures over the peak.",
           ["elements over the radius", *COLUMNS], finer_and_finer, full=True),
     Table("The same of a finer mesh and of the penalty.", ["elements over the radius", "method", *COLUMNS], methods, full=True),
@@ -217,22 +231,33 @@ WAIVERS = [Waiver("unexplained energy over the largest that passed", lambda run:
                   "up to 167,000 steps, thirty times those of multipliers; it grows with steps times elements, as round-off of sums does",
                   1e-9, full=True)]
 
-CIRCLE, NODES, BLOCK, TWO_BALLS = CHECKS[4].name, CHECKS[5].name, CHECKS[9].name, CHECKS[12].name
+CIRCLE, NODES = CHECKS[4].name, CHECKS[5].name
+BLOCK, TWO_BALLS = (f"automatic, {which}: nodal pressures, rms over the contact circle, of the peak" for which in
+                    ("on a rigid block", "two balls"))
+NO_POISSON = {"bodies[0].material.poisson": 0}
+BOTH = {**NO_POISSON, "bodies[1].material.poisson": 0}
+WRONG_MODULUS = "Young's modulus for E*: no Poisson effect"
 BREAKS = [
-    Breaks("force", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
-    Breaks(CIRCLE, "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
-    Breaks("largest pressure", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0}),
+    Breaks(CIRCLE, "half as many elements", HALF),
+    Breaks("force", WRONG_MODULUS, NO_POISSON),
+    Breaks(CIRCLE, WRONG_MODULUS, NO_POISSON),
+    Breaks("largest pressure", WRONG_MODULUS, NO_POISSON),
     Breaks("largest pressure", "a plane two hundred times too soft", penalty(0.1), full=True),
     Breaks("force", "a plane two hundred times too soft", penalty(0.1), full=True),
     Breaks(NODES, "a plane two hundred times too soft", penalty(0.1), full=True),
-    Breaks(CIRCLE, "half as many elements", cells(5)),
     Breaks(NODES, "a third of the elements", cells(4)),
     Breaks(CIRCLE, "relaxed to a hundredth only", {"relaxation.residual": 1e-2}),
     Breaks("force on the equator over that of the plane", "relaxed to a hundredth only", {"relaxation.residual": 1e-2}),
-    Breaks(BLOCK, "half as many elements", cells(5), case=AUTOMATIC),
-    Breaks("automatic, on a rigid block: force", "Young's modulus for E*: no Poisson effect", {"bodies[0].material.poisson": 0},
+    Breaks("automatic, on a rigid block: force over that of the plane, five elements", WRONG_MODULUS, {**HALF, **NO_POISSON},
            case=AUTOMATIC, full=True),
-    Breaks(TWO_BALLS, "the nodes of the coarser ball", COARSER, case=BALLS),
+    Breaks(BLOCK, "half as many elements", HALF, case=AUTOMATIC, full=True),
+    Breaks("automatic, on a rigid block: force", WRONG_MODULUS, NO_POISSON, case=AUTOMATIC, full=True),
+    Breaks("automatic, on a rigid block: largest pressure", WRONG_MODULUS, NO_POISSON, case=AUTOMATIC, full=True),
+    Breaks(TWO_BALLS, "the nodes of the coarser ball", COARSER, case=BALLS, full=True),
+    Breaks("automatic, two balls: force", WRONG_MODULUS, BOTH, case=BALLS, full=True),
+    Breaks("automatic, two balls: largest pressure", WRONG_MODULUS, BOTH, case=BALLS, full=True),
+    Breaks(SMALL_FORCE, WRONG_MODULUS, {**NO_POISSON, **HALF}, full=True),
+    Breaks(SMALL_NODES, "half as many elements", HALF, full=True),
     Breaks("approach", "stopped early", {**cells(5), "relaxation.residual": 0.5, "relaxation.after": "5 us"}),
     Breaks("contact radius", "stopped early", {"relaxation.residual": 0.5, "relaxation.after": "5 us"}),
 ]

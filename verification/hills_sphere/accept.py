@@ -106,6 +106,9 @@ BREAKS = [
     Breaks("outside, c = 1.4", "8 elements through the wall", cells(8)),
     Breaks("inside, c = 1.4", "one side of the patch left free", {"planes[3].nodes": "[wall.y_low]", "planes[3].normal": "[0, -1, -0.03]"}),
     Breaks("stresses through the wall, c = 1.2", "a yield stress of 21 MPa", {"bodies[0].material.yield": "21 MPa"}),
+    Breaks("outside, c = 1.2, one point", "hardening where there is none", {"bodies[0].material.tangent": "20 GPa"}, full=True),
+    *(Breaks(f"outside, c = 1.4{kind}, Poisson 0.49", "a yield stress of 21 MPa", {"bodies[0].material.yield": "21 MPa"}, full=True)
+      for kind in ("", ", one point")),
 ]
 
 

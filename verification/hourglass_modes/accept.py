@@ -62,7 +62,6 @@ OTHERS = [  # case, bodies of one-point elements
     ("long_bar_on_a_wall", "case.yaml", ["bar"]), ("plastic_bar_on_a_wall", "case.yaml", ["bar"]), ("plastic_bar_on_a_wall", "big.yaml",
         ["bar"]),
     ("bars_of_unequal_length", "case.yaml", ["short", "long"]), ("three_bars", "case.yaml", ["first", "second", "third"]),
-    ("wave_dispersion", "case.yaml", ["column"]),
 ]
 
 
@@ -76,19 +75,21 @@ def worst_of_others(run):
 
 
 DEPARTURES = {
-    "viscosity": "one of the other cases, wave_dispersion, has none",
     "hourglass_kind": "springs and dashpots are checked here; assumed strains, the default, in one_layer_bends",
     "safety": "the exact oscillator is continuous in time, so steps are small"}
 
 CHECKS = [
     Check("springs: elastic energy", elastic, 1e-12, "zero to first order; of the second order in amplitude over side, 0.6e-6, squared"),
-    Check("springs: kinetic and hourglass energy", missing, 1e-3,
+    Check("springs: kinetic and hourglass energy", missing, 1e-4,
           "the sum swings by (w dt)^2/4 in central differences; at a twentieth of the stable step 3e-5"),
-    Check("springs: frequency", frequency, 1e-3, "(w dt)^2/24 in central differences; at a twentieth of the stable step 4e-6"),
+    Check("springs: frequency", frequency, 2e-5, "(w dt)^2/24 in central differences; at a twentieth of the stable step 4e-6"),
     Check("dashpots: elastic energy", lambda run: elastic(viscous(run)), 1e-12, "as with springs"),
-    Check("dashpots: kinetic and hourglass energy", lambda run: missing(viscous(run)), 1e-3, "the force of a dashpot is a step old"),
-    Check("dashpots: kinetic energy at a tenth", decay, 0.02, "first order in the step; 0.1 % at a twentieth of the stable step"),
-    Check("hourglass over internal energy, worst of other cases", worst_of_others, 0.05, "the catalogue's bound", full=True),
+    Check("dashpots: kinetic and hourglass energy", lambda run: missing(viscous(run)), 1e-4,
+          "the force of a dashpot is a step old: at a twentieth of the stable step 1e-5"),
+    Check("dashpots: kinetic energy at a tenth", decay, 0.003, "first order in the step; 0.1 % at a twentieth of the stable step"),
+    Report("hourglass over internal energy, worst of other cases", worst_of_others,
+           "the catalogue allows 5 %; by hourglass springs of coefficients from 0.1 to 1 it is 1.4 to 2.2 %, so a limit would tell little",
+           full=True),
     Report("springs: elastic energy at a thousand times the amplitude",
            lambda run: Pair(max(abs(e) for mode in MODES for e in loud(run).column(f"energy_{mode}_elastic")), 0, "J",
                             scale=1e6 * kinetic()),

@@ -43,7 +43,7 @@ CHECKS = [
           "the catalogue's bound; the front is some elements wide"),
     Check("kinetic energy at the largest shortening", at_rest, 0.01,
           "exact: none; what is left is in the front, some elements wide, and falls with the mesh"),
-    Check("created energy", created, 0.005, "multipliers create nothing; far above what is seen"),
+    Check("created energy", created, 1e-9, "multipliers create nothing: round-off; a penalty has 1e-5"),
 ]
 
 STUDIES = [
@@ -59,6 +59,8 @@ BREAKS = [
     Breaks("kinetic energy at the largest shortening", "a wall a hundred times too soft", {"planes[0].method": "penalty",
                                                                                            "planes[0].penalty_scale": 0.01}),
     Breaks("kinetic energy at the largest shortening", "five elements for the whole bar", {"bodies[0].mesh.cells": "[5, 1, 1]"}),
+    Breaks("created energy", "a penalty that may create 4 % of a bounce",
+           {"planes[0].method": "penalty", "planes[0].energy_gain_limit": 0.04}, full=True),
 ]
 
 

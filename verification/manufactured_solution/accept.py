@@ -114,6 +114,14 @@ BREAKS = [
            {"bodies[0].material.young": "2.375 Pa"}),
     Breaks("order of the displacement, eight points, 6 and 12 cells", "Poisson's ratio 0.3 for 0.25", {"bodies[0].material.poisson": 0.3}),
     Breaks("order of the stress, eight points, 6 and 12 cells", "faces that stand still", {"planes[0].velocity.value": "[0, 0, 0]"}),
+    *(Breaks(f"order of the {field}, {kind}", mistake, change, full=True)
+      for kinds in (("one point, 16 and 32 cells", "eight points, 16 and 32 cells"),
+                    ("one point, warped, 8 and 16 cells", "eight points, warped, 8 and 16 cells"))
+      for kind, field, mistake, change in (
+          (kinds[0], "displacement", "inertia forgotten in the body force", STILL),
+          (kinds[0], "stress", "Young's modulus five per cent too small", {"bodies[0].material.young": "2.375 Pa"}),
+          (kinds[1], "displacement", "Poisson's ratio 0.3 for 0.25", {"bodies[0].material.poisson": 0.3}),
+          (kinds[1], "stress", "faces that stand still", {"planes[0].velocity.value": "[0, 0, 0]"}))),
 ]
 
 

@@ -118,6 +118,12 @@ BREAKS = [
     Breaks("widening of the cylinder, one point, Poisson 0.4999", "Poisson's ratio of steel", STEEL),
     Breaks("pressure in the sphere, eight points", "a wall that is thinner by a tenth", {"bodies[0].mesh.high": "[0.4 m, 0.4 m, 1.9 m]"}),
     Breaks("pressure in the cylinder, one point", "Poisson's ratio of steel", STEEL),
+    Breaks("widening of the sphere, eight points, Poisson 0.49", "Poisson's ratio of steel", STEEL, full=True),
+    Breaks("widening of the cylinder, eight points, Poisson 0.4999", "Poisson's ratio of steel", STEEL, full=True),
+    Breaks("widening of the cylinder, one point, Poisson 0.49", "a modulus of 210 GPa", {"bodies[0].material.young": "210 GPa"}, full=True),
+    Breaks("pressure in the sphere, one point", "a wall that is thinner by a tenth", {"bodies[0].mesh.high": "[0.4 m, 0.4 m, 1.9 m]"},
+           full=True),
+    Breaks("pressure in the cylinder, eight points", "Poisson's ratio of steel", STEEL, full=True),
     Breaks("bending, one point, Poisson 0.49", "Poisson's ratio of steel", STEEL),
     Breaks("bending, eight points, Poisson 0.49", "Poisson's ratio of steel", STEEL),
 ]

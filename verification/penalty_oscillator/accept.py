@@ -75,9 +75,10 @@ CHECKS = [
             "bisected with the closed element over 2000 steps: growth by 1e5 tells 4e-6 beyond the limit")
       for kind in KINDS],
     *[Check(f"{kind}: voted step", vote(kind), 1e-12, "a formula of masses and stiffness") for kind in KINDS],
-    Check("ledger: created energy less what was gained", largest("booked_amiss"), 1e-12,
-          "what the interface creates is booked to it, in all phases: round-off"),
-    Check("momentum", largest("momentum_lost"), 1e-12, "contact gives what it takes: round-off"),
+    Report("ledger: created energy less what was gained", largest("booked_amiss"),
+           "what the interface creates is booked to it, in all phases: round-off. No key books it amiss, so this gates nothing"),
+    Report("momentum", largest("momentum_lost"),
+           "contact gives what it takes: round-off. No key makes a force one-sided, so this gates nothing; all runs have a gate of it"),
     Report("rebound of the catalogue at 0.5 sqrt(m/k)", lambda run: Pair(changed(run, {"step": 0.5}).result("rebound_largest"), 1.0222, ""),
            "its worst phase lies between the 400 tried here; 40000 give 1.02222"),
 ]
@@ -89,6 +90,8 @@ STUDIES = [
           by_step),
 ]
 
+APEX, BASE = "the apex weighs as much as its base", "the mass of the base given to each of its nodes"
+TWICE = "a step more than twice too long"
 BREAKS = [
     Breaks("tetrahedral: rebound at steps of 0.05 sqrt(m/k)", "a step ten times too long", {"step": 0.5}),
     Breaks("tetrahedral: rebound at steps of 0.5 sqrt(m/k)", "one phase taken for the worst", {"phases": 1}),
@@ -96,10 +99,19 @@ BREAKS = [
     Breaks("tetrahedral: contact time", "the force weighed by the area of the base facet", {"area": "base"}),
     Breaks("tetrahedral: peak force", "the force weighed by the area of the base facet", {"area": "base"}),
     Breaks("tetrahedral: depth", "the mass of the base given to each of its nodes", {"masses.base": "9 kg"}),
-    Breaks("triangular: contact time", "the mass of the base given to each of its nodes", {"masses.base": "6 kg"}),
-    Breaks("line: peak force", "the apex weighs as much as its base", {"masses.apex": "3 kg"}),
+    Breaks("triangular: contact time", BASE, {"masses.base": "6 kg"}),
+    Breaks("line: peak force", APEX, {"masses.apex": "3 kg"}),
     Breaks("tetrahedral: critical step", "the spring counted twice", {"stiffness": "2e6 N/m"}),
     Breaks("tetrahedral: voted step", "the base taken for a rigid wall", {"masses.base": "1e9 kg"}),
+    *(Breaks(f"{kind}: {what}", mistake, {"masses.base": "6 kg"} if kind == "triangular" else {"masses.apex": "3 kg"}, full=True)
+      for kind, what, mistake in (("line", "contact time", APEX), ("triangular", "peak force", BASE), ("triangular", "depth", BASE),
+                                  ("line", "depth", APEX))),
+    *(Breaks(f"{kind}: rebound at steps of {step} sqrt(m/k)", mistake, {"step": 0.5}, full=True)
+      for kind, step, mistake in (("tetrahedral", 0.1, "a step five times too long"), ("tetrahedral", 0.2, TWICE),
+                                  ("triangular", 0.2, TWICE), ("line", 0.2, TWICE))),
+    *(Breaks(f"{kind}: {what}", mistake, change, full=True) for kind in ("triangular", "line")
+      for what, mistake, change in (("critical step", "the spring counted twice", {"stiffness": "2e6 N/m"}),
+                                    ("voted step", "the base taken for a rigid wall", {"masses.base": "1e9 kg"}))),
     Breaks("rebound beyond the bound of all phases", "a step half as long again as asked for", {"step": 0.75}),
 ]
 

@@ -55,10 +55,6 @@ def published(_run):
     return [("published, under the force", [0, 1], [-1e6 * PUBLISHED] * 2)]
 
 
-DEPARTURES = {
-    "layers": "the shell is elastic: two layers integrate its bending exactly",
-    "residual": "at 1e-6 the deflection is 0.1 % larger, after a third more steps"}
-
 CHECKS = [
     Check("deflection under the force, 32 x 32", meshed, 0.05, "flat triangles on a curved shell: this mesh is usually asked for 5 %"),
     Check("32 x 32, columns", lambda run: deflection(run.again(mesh(32, "columns"))), 0.05, "as above"),

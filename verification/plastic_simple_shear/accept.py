@@ -109,6 +109,9 @@ BREAKS = [
     Breaks("elastic part of the shear stress", "Poisson's ratio forgotten in the shear modulus", {"bodies[0].material.poisson": 0}),
     Breaks("largest fall of the shear stress", "a surface that moves in place of one that grows", {HARDENING: "kinematic"}),
     Breaks("without hardening: shear stress", "the yield stress of Tresca in shear", {"bodies[0].material.yield": "2.6154 kgf/mm^2"}),
+    Breaks("without hardening: normal stress along", "the yield stress of Tresca in shear",
+           {"bodies[0].material.yield": "2.6154 kgf/mm^2"}, full=True),
+    Breaks("kinematic: normal stress along", "the tangent taken for the plastic modulus", {TANGENT: "1.68969 kgf/mm^2"}, full=True),
     Breaks("kinematic: shear stress", "the tangent taken for the plastic modulus", {TANGENT: "1.68969 kgf/mm^2"}),
 ]
 

@@ -95,6 +95,8 @@ BREAKS = [
     Breaks("smallest velocity", "too few elements for the pulse", {"bodies[0].mesh.cells": "[500, 1, 1]"}),
     Breaks("largest acceleration", "too few elements for the pulse", {"bodies[0].mesh.cells": "[500, 1, 1]"}),
     Breaks("smallest acceleration", "a width that is 1 % off", WIDE),
+    Breaks("displacement after reflection", "a density 1 % too large", {"bodies[0].material.density": "1010 kg/m^3"}, full=True),
+    Breaks("velocity after reflection", "a density 1 % too large", {"bodies[0].material.density": "1010 kg/m^3"}, full=True),
 ]
 
 

@@ -85,9 +85,9 @@ DEPARTURES = {"method": "one check is of the penalty; all others are by default"
 
 CHECKS = [
     Check("speed of the block that sticks", creep, 1e-4, "one ten-thousandth of what ice would give"),
-    Check("friction that holds", holding, 1e-3, "equilibrium along the incline"),
-    Check("push of the incline", push, 1e-3, "equilibrium across the incline"),
-    Check("what holds the table", carried, 1e-3, "equilibrium of both"),
+    Check("friction that holds", holding, 1e-6, "equilibrium along the incline; iterations of the contact end at a millionth"),
+    Check("push of the incline", push, 1e-6, "equilibrium across the incline; the same"),
+    Check("what holds the table", carried, 1e-9, "equilibrium of both, where forces of the contact cancel: round-off"),
     Check("acceleration of the block that slides", slide, 1e-4,
           "a constant force; friction is half a step late at the start, before the first tenth of a second"),
     Check("acceleration by a penalty", slide_by_a_penalty, 1e-3, "the block bounces on its springs from the start on; means remain"),

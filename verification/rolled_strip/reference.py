@@ -27,5 +27,7 @@ def full_moment(young, width, thickness, length):
 
     >>> round(full_moment(12, 1, 1, 2 * pi), 12)
     1.0
+    >>> round(full_moment(young=210e9, width=0.0625, thickness=0.01, length=1.0), 9)  # of case.yaml
+    6872.233929728
     """
     return 2 * pi * young * width * thickness**3 / 12 / length

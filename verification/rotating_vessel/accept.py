@@ -148,13 +148,16 @@ CHECKS = [
          0.01, "as in the first radian",
          why="nodes crowd at the walls from 1.8 radian on (convex_wall), and the water gains volume", full=True),
     Check("driven: step that the velocities are made for", driven_step, 1e-6,
-          "the chord is short of the arc by 4e-6 of itself, so 1e-6 of the step is 1e-11 of the place"),
+          "a guard of the case, which verifies nothing. The chord is short of the arc by 4e-6 of itself, so 1e-6 of the step is 1e-11 of "
+          "the place", evidence="benchmark"),
     Check("driven: pressure of any element beside that at the start, in one turn", same_pressure, 1e-8,
-          "round-off: positions are rounded by 1e-16 in each of 630 steps, and the bulk modulus is 2200 times the pressure"),
+          "round-off: positions are rounded by 1e-16 in each of 630 steps, and the bulk modulus is 2200 times the pressure",
+          evidence="invariant"),
     Check("driven: energy taken by viscosity and dashpots over the kinetic energy", taken, 1e-15,
-          "none up to round-off: rates of volume and hourglass velocities of a rotation are 1e-13 of its rate, and energy has the square"),
+          "none up to round-off: rates of volume and hourglass velocities of a rotation are 1e-13 of its rate, and energy has the square",
+          evidence="invariant"),
     Check("between smooth rings at rest: angular momentum after 0.3 radian", keeps_turning, 1e-4,
-          "walls that are round and have no friction give no moment; iterations of the contact leave round-off"),
+          "walls that are round and have no friction give no moment; iterations of the contact leave round-off", evidence="invariant"),
 ]
 
 

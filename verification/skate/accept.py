@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import friction_force, slip_time, speed, way
-from verify import Breaks, Check, Figure, Pair, Table, beyond, side_by_side
+from verify import Breaks, Check, Figure, Pair, Report, Table, beyond, side_by_side
 
 CATALOGUE = ("C-7",)
 CLAIM = ("A block pressed on a plane by P and pushed along it by Q stays while Q is below mu P, slips at mu P, and then has the "
@@ -74,16 +74,14 @@ def meshes(run):
 
 
 PENALTY = {"planes[0].method": "penalty"}
-DEPARTURES = {"method": "one check is beside a penalty; all others are by default"}
-
 BY_DEFAULT = [
     Check("push at the slip", push_at_slip, 0.01, "the catalogue's bound: Q = mu P"),
     Check("force of the plane", balance_across, 0.01, "the catalogue's bound: P"),
     Check("friction of the block that stays", balance_along, 0.01,
           "the catalogue's bound: Q; the rest accelerates the block as its rear edge slips ahead"),
     Check("friction of the block that slides", friction_that_slides, 0.01, "the catalogue's bound: mu P"),
-    Check("friction over push across", ratio, 1e-3,
-          "Coulomb's law holds at each node, so it holds in the sum; the two are means over the same steps"),
+    Check("friction over push across", ratio, 1e-9,
+          "Coulomb's law holds at each node, so it holds in the sum, and the two are means over the same steps: round-off"),
     Check("speed at the end", final_speed, 0.01, "as the slip"),
     Check("way at the end", final_way, 0.01, "as the slip"),
     Check("creep before the slip", creep, 0.01,
@@ -92,8 +90,8 @@ BY_DEFAULT = [
 
 CHECKS = [
     *BY_DEFAULT,
-    Check("errors beyond those by a penalty, over the limits", beyond(BY_DEFAULT, PENALTY), 0.1,
-          "no worse than by the usual penalty; the exact block is rigid, and what both leave is its compliance: a fifth with 100 MPa"),
+    Report("errors beyond those by a penalty, over the limits", beyond(BY_DEFAULT, PENALTY),
+           "the exact block is rigid, and what both leave is its compliance: a fifth with 100 MPa"),
 ]
 
 STUDIES = [Table("Errors by default and by the usual penalty.", ["check", "by default", "by a penalty"], side_by_side(BY_DEFAULT, PENALTY)),
@@ -102,7 +100,6 @@ STUDIES = [Table("Errors by default and by the usual penalty.", ["check", "by de
                  meshes, full=True)]
 
 BREAKS = [
-    Breaks("errors beyond those by a penalty, over the limits", "a coefficient of 0.301", {"planes[0].friction": 0.301}),
     Breaks("friction over push across", "a coefficient of 0.301", {"planes[0].friction": 0.301}),
     Breaks("way at the end", "a coefficient of 0.29", {"planes[0].friction": 0.29}),
     Breaks("push at the slip", "a coefficient of 0.31", {"planes[0].friction": 0.31}),

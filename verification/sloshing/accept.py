@@ -86,7 +86,9 @@ CHECKS = [
     Check("deep, skewed cells: height in the sixth period beside the first", kept(SKEWED), 0.01, FLAT),
     Check("deep: largest energy of the wave on the surface", of_surface("case.yaml"), 0.01, STANDING),
     Check("shallow: largest energy of the wave on the surface", of_surface(SHALLOW), 0.01, STANDING),
-    Check("energy that is dissipated in six periods, worst of three tanks", dissipated, 0.01, FLAT),
+    Check("energy that is dissipated in six periods, worst of three tanks", dissipated, 1e-5,
+          "viscosity goes with the square of the strain and dashpots with what cells shear: the height over the depth is 0.01 at most, and "
+          "a tenth of its square is left"),
     Report("deep: height in the first period", at_first("case.yaml"), "velocities of theory at the nodes are not quite those of the mesh"),
     Report("shallow: height in the first period", at_first(SHALLOW), "the same"),
 ]

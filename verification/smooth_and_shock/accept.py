@@ -263,14 +263,14 @@ def lowest(run):
     return Pair(-least, 0, "", scale=1)
 
 
-DEPARTURES = {"viscosity": "the foot of Taylor's bar is held against that of the same bar without viscosity"}
-
 PRESSURE = "that of a viscous pressure without a limiter"
 ASKEW = ("each of two axes has half of the strain, and what shears a cell has no viscosity: 0.71 of the viscous stress of a front along "
          "the cells is left at most. Twice the linear coefficient gives 19 %; a viscous pressure has 16 %, none 26 %")
 LEANS = "leaning cells need more viscosity: twice the linear coefficient gives 4.6 %; a viscous pressure has 12 %, none 22 %"
 NARROW = ("the length on which viscosity acts is at most 1.4 times the way of a wave in a stable step, and the width of a cell sets the "
           "step; a viscous pressure has 16 %, none 27 %")
+AT_ANY_ANGLE = ("fronts cross the sides of triangles at any angle, so each triangle has its own front; it is the largest of all. A "
+                "viscous pressure has 10.4 %, none 26 %")
 WIDE = "the front is some cells wide after 600 cells, and the exact force falls behind its jump; a viscous pressure has 8.9 %"
 CREST = ("the crest behind the front, two cells long, lies in the span: up to five cells before the middle of the front it is 0.29 %; the "
          "viscous pressure has 1.6 %")
@@ -296,11 +296,15 @@ CHECKS = [
           "cells of a round section lean, so their axes stretch a little: a thousandth of what a wave along the bar loses"),
     Check("a ring that its own contact closes: energy lost in half a period", loss(RING), 1e-6,
           "the strain is even on both sides of the contact, and even strains have no viscosity"),
-    Check("a ring that its own contact closes: how far it draws in", closes, 0.01, "a thin ring of 120 cells"),
+    Check("a ring that its own contact closes: how far it draws in", closes, 5e-5,
+          "what strains of 1e-4 and a thickness of a hundredth of the radius add is of the order of 1e-5: half of the former, a twelfth of "
+          "the square of the latter"),
     Check("a wave turned by 72 degrees and numbered backwards: energy lost in a period", turned, 1e-9,
-          "round-off of strains, 1e-16, over the least strain that a step resolves, 1e-12, in a small part of the cells"),
-    Check("the lowest viscous account of any row, over all files", lowest, 1e-12,
-          "viscosity takes energy and gives none back, also in one element that is stretched from the start: round-off"),
+          "round-off of strains, 1e-16, over the least strain that a step resolves, 1e-12, in a small part of the cells",
+          evidence="invariant"),
+    Report("the lowest viscous account of any row, over all files", lowest,
+           "viscosity takes energy and gives none back, also in one element that is stretched from the start: round-off. No key makes it "
+           "give any, so this gates nothing"),
 
     Check("a pressure step: overshoot", peak_of(STEP), 0.014, PRESSURE),
     Check("a pressure step: rms of the plateau", noise_of(STEP), 0.005, "the plateau ends three cells before the middle of the front"),
@@ -312,7 +316,7 @@ CHECKS = [
     Check("a front through a seam of two materials: overshoot", seam, 0.014,
           "as of a pressure step; cells at the seam have no neighbour beyond it"),
     Check("a plastic front: overshoot", plastic, 0.05, "as of an elastic front"),
-    Check("a sheet of triangles: overshoot", peak_of(SHEET), 0.104, PRESSURE),
+    Miss("a sheet of triangles: overshoot", peak_of(SHEET), 0.05, "as of uniaxial strain", why=AT_ANY_ANGLE),
     Report("a sheet of triangles, crossed cuts: overshoot", peak_of(SHEET, {"bodies[0].mesh.cuts": "crossed"}),
            "cuts that are not the default; a viscous pressure has 13 %"),
     Miss("cells that lean by 27 degrees: overshoot of sections", peak_of_sections(SKEWED), 0.05, "as of straight cells", why=LEANS),
@@ -329,7 +333,7 @@ CHECKS = [
     Miss("a ram on a clamped bar: peak of the force at the clamp", clamp, 0.063,
          "seven tenths of what a viscous pressure takes", why=WIDE),
     Report("a ram on a clamped bar: peak of the force on the ram", struck, "as at the clamp; a viscous pressure takes 6.0 %"),
-    Check("Taylor's bar: radius of the foot beside the same without viscosity", foot, 0.003, "that of a viscous pressure"),
+    Report("Taylor's bar: radius of the foot beside the same without viscosity", foot, "a viscous pressure moves it by 0.3 %"),
     Report("shield plates: energy that viscosity takes in 4 ms", taken,
            "fronts run to and fro in plates of 20 to 40 cells; the exact column keeps its energy, and a viscous pressure takes 72 %"),
 ]
@@ -387,8 +391,6 @@ STUDIES = [
 MUCH, OFF = "a linear coefficient of 1 for 0.06", "no viscosity"
 LINEAR = {"bodies[0].element.viscosity.linear": 1}
 BREAKS = [
-    Breaks("Taylor's bar: radius of the foot beside the same without viscosity", "a quadratic coefficient of 10 for 1",
-           {"bodies[0].element.viscosity.quadratic": 10}, case=TAYLOR),
     Breaks("a standing wave, 32 cells: energy lost in a period", MUCH, LINEAR),
     Breaks("a standing wave, 64 cells: energy lost in a period", MUCH, LINEAR),
     Breaks("a breathing shell: energy lost in 3.6 periods", MUCH, LINEAR, case=SHELL_CASE),
@@ -421,7 +423,6 @@ BREAKS = [
     Breaks("a front through a seam of two materials: overshoot", "no viscosity in the second bar",
            {"bodies[1].element.viscosity.linear": 0, "bodies[1].element.viscosity.quadratic": 0}, case=MATERIALS),
     Breaks("a plastic front: overshoot", OFF, NONE, case=PLASTIC),
-    Breaks("a sheet of triangles: overshoot", OFF, NONE, case=SHEET),
     Breaks("three bars: speed of the third", MUCH, {f"bodies[{body}].element.viscosity.linear": 1 for body in range(3)}, case=THREE),
     Breaks("bars of unequal length: largest error of the force", MUCH, {f"bodies[{body}].element.viscosity.linear": 1 for body in range(2)},
            case=UNEQUAL),

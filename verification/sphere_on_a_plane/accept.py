@@ -112,7 +112,7 @@ CHECKS = [
     Check("speed after over before", rebound, 1 - LEAST_REBOUND, "the catalogue's model keeps 0.998 or more"),
     Check("impulse", impulse, 0.005, "as the momentum and the rebound; of the meshed ball, whose own mass is taken. Against a full ball it "
                                      "misses by 2.7 %"),
-    Check("created energy", created, 0.005, "multipliers create nothing; far above what is seen"),
+    Check("created energy", created, 1e-6, "multipliers create nothing; their iterations end at a millionth of what is exchanged"),
     Report("largest force against Hertz's half-space", against_half_space, "how far a finite sphere is from Hertz"),
 ]
 
@@ -129,6 +129,8 @@ BREAKS = [
     Breaks("contact time", "Young's modulus for E*: no Poisson effect", {**COARSE, "bodies[0].material.poisson": 0}),
     Breaks("speed after over before", "viscosity that swallows waves", {**COARSE, "bodies[0].element.viscosity.linear": 1}),
     Breaks("mass of the ball", "a mesh too coarse at the far pole", {**COARSE}),
+    Breaks("impulse", "looked at before the ball has left", {**COARSE, "time.end": "15 us"}, full=True),
+    Breaks("created energy", "the usual penalty", {**COARSE, "planes[2].method": "penalty"}, full=True),
 ]
 
 

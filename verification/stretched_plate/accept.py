@@ -2,7 +2,7 @@
 from math import sqrt
 
 from reference import LENGTH, THICKNESS, WIDTH, force, stress, stress_both_ways, thickness, thickness_both_ways, volume
-from verify import Breaks, Check, Figure, Pair, Table
+from verify import Breaks, Check, Figure, Pair, Report, Table
 
 CATALOGUE = ()
 CLAIM = ("A plate that is stretched to twice its length, or to twice its area, keeps its volume: its thickness, its force and the height "
@@ -78,20 +78,19 @@ def warning_below(run):
     return Pair(1 - warned(run.again({**KEEPS, **small, **run.overrides})), 1)
 
 
-DEPARTURES = {"thinning": "one check is of the warning that a strip gives which keeps its thickness"}
-
 ISSUE = "a thousandth is what the law of thinning is asked for"
+EVEN = "strains are even, a step takes the logarithm to the square of its strain, 1e-6, and the pull stops smoothly"
 
 CHECKS = [
     Check("thickness at twice the length", of_length, 1e-3, ISSUE + "; of the element that is farthest off"),
-    Check("thickness at twice the area", of_area, 1e-3, ISSUE + "; of the element that is farthest off"),
-    Check("volume kept at twice the length", kept, 1e-3, ISSUE),
-    Check("width at twice the length", width, 1e-3, "as the thickness: both sides of a bar come in alike"),
-    Check("force at twice the length", pull, 1e-3, "stress is exact, and the area is that of the thickness"),
-    Check("force at twice the area", pull_both_ways, 1e-3, "as at twice the length"),
+    Check("thickness at twice the area", of_area, 4e-6, EVEN + "; of the element that is farthest off"),
+    Check("volume kept at twice the length", kept, 2e-6, EVEN + "; in the mean the waves cancel"),
+    Check("width at twice the length", width, 4e-6, EVEN + ": both sides of a bar come in alike"),
+    Check("force at twice the length", pull, 1e-5, EVEN + "; three of its errors add up"),
+    Check("force at twice the area", pull_both_ways, 5e-6, EVEN),
     Check("height of a block on the strip", height, 1e-3, "half of the thickness; the mid-surface is held, and multipliers leave no gap"),
-    Check("warnings of the strip that keeps its thickness, less those of the other", warnings, 0, "one of them is wrong, and says so"),
-    Check("no warning at a small strain", warning_below, 0, "at a strain of 1 % nothing is wrong yet"),
+    Report("warnings of the strip that keeps its thickness, less those of the other", warnings, "one of them is wrong, and says so"),
+    Report("no warning at a small strain", warning_below, "at a strain of 1 % nothing is wrong yet"),
 ]
 
 
@@ -119,8 +118,6 @@ BREAKS = [
     Breaks("force at twice the length", "a thickness that stays", KEEPS),
     Breaks("force at twice the area", "a thickness that stays", KEEPS),
     Breaks("height of a block on the strip", "a thickness that stays", KEEPS),
-    Breaks("warnings of the strip that keeps its thickness, less those of the other", "a thickness that stays", KEEPS),
-    Breaks("no warning at a small strain", "a strain of a third", {"planes[3].velocity.value": '"0.03/0.06*(1 - cos(2*pi*t/0.06))"'}),
 ]
 
 

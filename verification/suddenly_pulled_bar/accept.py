@@ -1,7 +1,7 @@
 """How close is close enough, why, and what must break."""
 from defaults import NUMERICS
 from reference import tip, turning_time
-from verify import Breaks, Check, Falls, Figure, Pair, Report
+from verify import Breaks, Check, Falls, Figure, Pair
 
 CLAIM = "A bar that is pulled suddenly stretches to twice its static elongation in the time $2L/c$."
 EVIDENCE = "exact"
@@ -24,13 +24,14 @@ def time_of_largest(run):
     return Pair(TURN + 0.5 * (down - up) / speed, TURN, "s")
 
 
-DEPARTURES = {"viscosity": "d'Alembert's waves have none; the default rounds the peak a little more (report)"}
+DEPARTURES = {"viscosity": "d'Alembert's waves have none; the default rounds the peak a little more, which one check has"}
 
 CHECKS = [
     Check("largest displacement", largest, 0.01, "the mesh rounds the peak: 0.6 % with 50 cells, see the study"),
-    Check("time of the largest displacement", time_of_largest, 0.01, "the flanks ring about the straight lines"),
-    Report("largest displacement with the default viscosity", lambda run: largest(run.again(USUAL)),
-           "the viscosity takes the ringing behind the front, which falls with the mesh"),
+    Check("time of the largest displacement", time_of_largest, 2e-4,
+          "the flanks are straight, so rows are joined without error; what rings about them are some 1e-4 of the largest displacement"),
+    Check("largest displacement with the default viscosity", lambda run: largest(run.again(USUAL)), 0.03,
+          "the viscosity takes the ringing behind the front, which falls with the mesh: some 1 % more with 50 cells"),
 ]
 
 STUDIES = [
@@ -40,6 +41,7 @@ STUDIES = [
 BREAKS = [
     Breaks("largest displacement", "viscosity that swallows the wave", {"bodies[0].element.viscosity.linear": 1}),
     Breaks("time of the largest displacement", "the density of aluminium", {"bodies[0].material.density": "2700 kg/m^3"}),
+    Breaks("largest displacement with the default viscosity", "a steel of 200 GPa", {"bodies[0].material.young": "200 GPa"}, full=True),
 ]
 
 

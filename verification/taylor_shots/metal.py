@@ -4,7 +4,7 @@ from pathlib import Path
 
 from shots import LEVELS, SIZES, computed, digitised, ended, label, measured, points, read_shots, shoot, u_inputs
 from validation import COLUMNS, SUMMARY_COLUMNS, summary, u_of_meshes
-from verify import Breaks, Check, Figure, Pair, Report, Table
+from verify import Breaks, Check, Figure, Miss, Pair, Report, Table
 
 LOST, MESHES = "runs of three shots that did not come to their end", "numerical uncertainty of the length, worst of three shots"
 LENGTH, FOOT = "length, mean of computed over measured of three shots", "foot, mean of computed over measured of three shots"
@@ -20,6 +20,7 @@ class Metal:
     spread          standard uncertainties of constants of the material over their values; likewise `speed` of the measured speed
     friction        at the wall, somewhere between none and this
     u_measured      {quantity: standard uncertainty over the measured value}
+    two_meshes      a function of a shot: whether its fine mesh, which takes an hour or more, has not been run
     """
     folder: Path
     like: str
@@ -29,6 +30,7 @@ class Metal:
     speed: float
     friction: float
     u_measured: dict
+    two_meshes: object = None
 
     def __post_init__(self):
         self.family = self.folder.name
@@ -36,6 +38,11 @@ class Metal:
         self.three = [the(self.shots, *one) for one in self.quick]
         self.varied = [the(self.shots, source, what, speed, temperature=temperature)
                        for source, what, speed, temperature in self.representative]
+
+
+    def levels(self, shot):
+        """The meshes that were run of a shot, coarse to fine."""
+        return range(len(LEVELS) - 1 if self.two_meshes and self.two_meshes(shot) else len(LEVELS))
 
 
 def the(shots, source, what, speed, length=None, temperature=None):
@@ -47,9 +54,14 @@ def the(shots, source, what, speed, length=None, temperature=None):
 # ------------------------------------------------------------------------------------------------
 # Measures
 
-def lost(shots, levels):
+def lost(shots, levels_of):
     """How many runs of these shots did not come to their end."""
-    return lambda run: Pair(sum(not ended(shoot(run, shot, level)) for shot in shots for level in levels), 0, "", scale=1)
+    return lambda run: Pair(sum(not ended(shoot(run, shot, level)) for shot in shots for level in levels_of(shot)), 0, "", scale=1)
+
+
+def not_run(metal):
+    """How many fine meshes were not run."""
+    return lambda run: Pair(sum(len(metal.levels(shot)) < len(LEVELS) for shot in metal.shots), 0, "", scale=1)
 
 
 def of_meshes(shots):
@@ -58,10 +70,10 @@ def of_meshes(shots):
                                 for shot in shots), 0, "", scale=1)
 
 
-def mean_ratio(shots, quantity, level):
+def mean_ratio(shots, quantity, level_of):
     """Mean of computed over measured."""
     def measure(run):
-        ratios = [computed(shoot(run, shot, level), shot)[quantity] / measured(shot)[quantity]
+        ratios = [computed(shoot(run, shot, level_of(shot)), shot)[quantity] / measured(shot)[quantity]
                   for shot in shots if quantity in measured(shot)]
         return Pair(sum(ratios) / len(ratios), 1, "")
     return measure
@@ -75,7 +87,7 @@ def points_of(metal, run):
         return (metal.u_measured[quantity]**2 + (0 if quantity == "length" else digitised(shot)**2))**0.5
 
     return points(run, metal.family, metal.shots, lambda shot: shot["batch"], of_inputs, u_of_measurement,
-                  lambda shot, quantity: quantity == "length" and shot["seen"] == "yes")
+                  lambda shot, quantity: quantity == "length" and shot["seen"] == "yes", metal.levels)
 
 
 def hits(metal):
@@ -89,8 +101,9 @@ def ends(metal, run):
     """How each shot ended on each mesh."""
     rows = []
     for shot in metal.shots:
-        runs = [shoot(run, shot, level) for level in range(len(LEVELS))]
-        rows.append([label(shot), shot["batch"], *(one.summary["ending"]["word"] for one in runs),
+        runs = [shoot(run, shot, level) for level in metal.levels(shot)]
+        words = [one.summary["ending"]["word"] for one in runs] + ["not run"] * (len(LEVELS) - len(runs))
+        rows.append([label(shot), shot["batch"], *words,
                      f"{runs[-1].column('plastic_strain')[-1]:.2f}", f"{min(one.result('bar_smallest_corner') for one in runs):.2f}",
                      f"{100 * max(abs(one.created()) for one in runs):.3f} %"])
     return rows
@@ -102,15 +115,19 @@ def ends(metal, run):
 def checks(metal):
     alike = [shot for shot in metal.shots if shot["batch"] == metal.like]
     agreed = "a model error of 7 % was agreed on before the first run"
+    unfinished = [Miss("fine meshes that were not run", not_run(metal), 0, "every shot has three meshes",
+                       "each takes an hour or more; the table of ends names them, and their numerical uncertainty is that of two meshes",
+                       full=True)] if metal.two_meshes else []
     return [
-        Check(LOST, lost(metal.three, [0]), 0, "none may"),
+        Check(LOST, lost(metal.three, lambda _: [0]), 0, "none may"),
         Check(MESHES, of_meshes(metal.three), 0.01, "what is below 1 % hides in no comparison", full=True),
-        Check(LENGTH, mean_ratio(metal.three, "length", 0), 0.07, agreed),
-        Check(FOOT, mean_ratio(metal.three, "foot", 0), 0.15,
+        Check(LENGTH, mean_ratio(metal.three, "length", lambda _: 0), 0.07, agreed),
+        Check(FOOT, mean_ratio(metal.three, "foot", lambda _: 0), 0.15,
               "twice that: the foot depends on the flow stress at one place and on friction there"),
-        Check("runs of all shots that did not come to their end", lost(metal.shots, range(len(LEVELS))), 0, "none may", full=True),
-        Check("length, mean of computed over measured of the batch of the constants", mean_ratio(alike, "length", len(LEVELS) - 1), 0.07,
-              agreed, full=True),
+        Check("runs of all shots that did not come to their end", lost(metal.shots, metal.levels), 0, "none may", full=True, like=LOST),
+        Check("length, mean of computed over measured of the batch of the constants",
+              mean_ratio(alike, "length", lambda shot: metal.levels(shot)[-1]), 0.07, agreed, full=True, like=LENGTH),
+        *unfinished,
         Report("hits among the points of the batch of the constants", hits(metal), "the model error of a hit cannot be told", full=True),
     ]
 

@@ -148,17 +148,19 @@ def nearest(shot, representatives):
     return label(min(representatives, key=distance))
 
 
-def points(run, family, shots, group_of, of_inputs, u_measured, seen, levels=(0, 1, 2)):
+def points(run, family, shots, group_of, of_inputs, u_measured, seen, levels_of):
     """Points of all quantities of these shots.
 
     group_of    function of a shot: its batch
     of_inputs   {label: {quantity: u}} of the representative shots
     u_measured  function of shot and quantity: relative standard uncertainty
     seen        function of shot and quantity: whether its run was seen before
+    levels_of   function of a shot: its meshes, coarse to fine
     """
     found = []
     representatives = [shot for shot in shots if label(shot) in of_inputs]
     for shot in shots:
+        levels = levels_of(shot)
         runs = [shoot(run, shot, level) for level in levels]
         values = [computed(one, shot) for one in runs]
         uncertainty = of_inputs[nearest(shot, representatives)]
@@ -166,7 +168,7 @@ def points(run, family, shots, group_of, of_inputs, u_measured, seen, levels=(0,
             if name not in QUANTITIES:
                 continue
             series = [value[name] for value in values]
-            good = all(map(math.isfinite, series)) and len(series) == 3
+            good = all(map(math.isfinite, series))
             found.append(Point(family, name, group_of(shot), label(shot), shot["speed"], what, series[-1],
                                u_of_meshes([SIZES[level] for level in levels], series) if good else math.nan, uncertainty[name],
                                u_measured(shot, name), not seen(shot, name), runs[-1].summary["ending"]["word"]))

@@ -9,6 +9,7 @@ EVIDENCE = "benchmark"
 DRIVER = "scene"
 
 ACROSS = {"loads[0].value": '["0", "1", "0"]'}
+SPINS = {"bodies[0].element.drilling": 0, "relaxation.residual": 1e-4}  # nodes that may spin come to rest slowly
 
 
 def mesh(cells):
@@ -46,7 +47,7 @@ def stiffnesses(run):
     """Too small a stiffness lets nodes spin: the finer the mesh the more. Too large a one stiffens coarse meshes."""
     rows = []
     for part in (0, 0.01, 0.1, 1):
-        there = run.again({"bodies[0].element.drilling": part})
+        there = run.again({"bodies[0].element.drilling": part} if part else SPINS)
         rows.append([f"{part:g}", *(deviation(deflection(there.again(mesh(n)))) for n in (2, 4, 8))])
     return rows
 
@@ -66,10 +67,6 @@ def published(_run):
 
 
 BOUND = "what this test usually asks of a plate element is 2 to 5 %"
-DEPARTURES = {
-    "layers": "the beam is elastic: two layers integrate its bending exactly",
-    "residual": "the default moves the end by less than 0.1 % in many more steps"}
-
 CHECKS = [
     Check("in plane", meshed, 0.02, BOUND),
     Check("out of plane, 8 x 48", across, 0.05, BOUND),
@@ -92,7 +89,7 @@ BREAKS = [
     Breaks("in plane", "no drilling stiffness", {"bodies[0].element.drilling": 0}),
     Breaks("in plane", "a hundredth of the shear modulus for it", {"bodies[0].element.drilling": 0.01}),
     Breaks("in plane", "a thickness off by a hundredth", {"bodies[0].element.thickness": "0.3232 m"}),
-    Breaks("out of plane, 8 x 48", "no drilling stiffness", {"bodies[0].element.drilling": 0}),
+    Breaks("out of plane, 8 x 48", "no drilling stiffness", SPINS),
     Breaks("out of plane, 8 x 48", "a twist by 80 degrees",
            {"bodies[0].mesh.map": '["x", "(y - 0.55)*cos(pi*x/27)", "(y - 0.55)*sin(pi*x/27)"]'}, full=True),
 ]

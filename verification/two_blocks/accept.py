@@ -34,11 +34,6 @@ def usual(measure):
     return lambda run: measure(run.again({**USUAL, **run.overrides}))
 
 
-def momentum(run):
-    one_bar = run.ledger("initial_kinetic") * 2 / run.case("closing_speed")
-    return Pair(max(abs(p) for p in run.ledger("momentum")), 0, "kg m/s", scale=one_bar)
-
-
 DEPARTURES = {"viscosity": "the exact bars keep their energy; the default viscosity takes some of it (reports)"}
 
 CHECKS = [
@@ -50,8 +45,7 @@ CHECKS = [
     Check("contact time with the default viscosity", usual(contact_time), 0.01, "as without"),
     Report("velocity of A with the default viscosity", usual(velocity_of("A")),
            "the viscosity takes the ringing behind both fronts, whatever the contact is; it falls with the mesh"),
-    Check("created energy", created, 0.005, "multipliers create nothing but where iterations end too early; far above what is seen"),
-    Check("momentum", momentum, 1e-12, "contact gives what it takes: round-off"),
+    Check("created energy", created, 1e-9, "multipliers create nothing between bars that meet evenly: round-off"),
 ]
 
 STUDIES = [

@@ -150,6 +150,12 @@ BREAKS = [
     Breaks("hexahedron of eight points, uniaxial strain: stress along", "the tangent taken for the plastic modulus", TANGENT),
     Breaks("hexahedron of one point, shear", "Poisson's ratio forgotten in the shear modulus", {MATERIAL + "poisson": 0}),
     Breaks("plate, shear", "the yield stress of Tresca", {MATERIAL + "yield": "2.61540 kgf/mm^2"}),
+    Breaks("law, uniaxial strain, lead: stress across", "Poisson's ratio of real lead", {MATERIAL + "poisson": 0.44}, full=True),
+    Breaks("law, uniaxial strain, steel: stress along", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}, full=True),
+    Breaks("law, shear, steel", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}, full=True),
+    Breaks("law, shear, steel: yield stress", "the yield stress of Tresca", {MATERIAL + "yield": "27.3664 kgf/mm^2"}, full=True),
+    Breaks("hexahedron of one point, uniaxial strain: plastic strain", "the tangent taken for the plastic modulus", TANGENT, full=True),
+    Breaks("hexahedron of eight points, shear", "Poisson's ratio forgotten in the shear modulus", {MATERIAL + "poisson": 0}, full=True),
 ]
 
 

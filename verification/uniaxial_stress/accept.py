@@ -22,8 +22,8 @@ STEEL_LAW = {**{"material." + key: value for key, value in IN_STEEL.items()}, "p
 
 
 def law(run, metal, plate=False):
-    """The law alone, with the material that a break has changed."""
-    broken = {key[len("bodies[0]."):]: value for key, value in run.overrides.items() if key.startswith(MATERIAL)}
+    """The law alone, with the material or the path that a break has changed."""
+    broken = {key.removeprefix("bodies[0]."): value for key, value in run.overrides.items() if key.startswith((MATERIAL, "path"))}
     return run.other("material_point", HERE + ("law_in_a_plate.yaml" if plate else "law.yaml"), {**(STEEL_LAW if metal is STEEL else {}),
         **broken})
 
@@ -146,12 +146,18 @@ BREAKS = [
     Breaks("law, steel: plastic modulus", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}),
     Breaks("law, lead", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_LEAD}),
     Breaks("law of a plate, lead", "a plate's stiffness E/(1 - nu^2) in uniaxial stress", {MATERIAL + "young": "23.676 kgf/mm^2"}),
+    Breaks("law, steel", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}, full=True),
+    Breaks("law of a plate, steel", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}, full=True),
+    Breaks("law, lead: stresses that are free", "a side that is pressed", {"path[0].stress.yy": "1 MPa"}, full=True),
     Breaks("law, lead: dissipated work", "no hardening", {MATERIAL + "tangent": "0 kgf/mm^2"}),
     Breaks("law, lead: stored work", "1 kgf taken for 10 N", {MATERIAL + "yield": "30.2 MPa"}),
     Breaks("hexahedron of one point, lead", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_LEAD}),
     Breaks("hexahedron of eight points, lead", "sides held: uniaxial strain", {"planes[1].nodes": "[cube.y_low, cube.y_high]"}),
     Breaks("plate, lead", "1 kgf taken for 10 N", {MATERIAL + "yield": "30.2 MPa"}),
     Breaks("plate, steel", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}),
+    Breaks("hexahedron of one point, steel", "the tangent of lead", {MATERIAL + "tangent": "1.85 kgf/mm^2"}, full=True),
+    Breaks("hexahedron, lead: plastic strain", "the tangent taken for the plastic modulus", {MATERIAL + "tangent": TANGENT_OF_LEAD},
+           full=True),
     Breaks("hexahedron of one point, lead", "pulled without a smooth stop",
            {"planes[3].velocity.value": '"0.5914/1000"'}),
     Breaks("hexahedron, lead: stress on its free sides", "pulled without a smooth stop",

@@ -1,14 +1,14 @@
 """How close is close enough, why, and what must break."""
 from math import sqrt
 
-from reference import reference
-from verify import Breaks, Check, Figure, Pair
+from reference import deflection, reference
+from verify import Breaks, Check, Falls, Figure, Pair, Table
 
 CATALOGUE = ()
-CLAIM = ("Where unlike meshes meet, automatic contact neither stiffens an interface that bends nor bends it without a load; a uniform "
-         "pressure passes also where faces are covered in part or friction holds a slope, and edges and corners strike like those of any "
-         "mesh.")
-EVIDENCE = "invariant"
+CLAIM = ("Where unlike meshes meet, two strips that are pressed together bend as two beams that slide on each other, and pressure alone "
+         "bends them hardly; a uniform pressure passes also where faces are covered in part or friction holds a slope, and edges and "
+         "corners strike like those of any mesh.")
+EVIDENCE = "exact"
 DRIVER = "scene"
 
 HERE = "verification/unlike_meshes/"
@@ -36,21 +36,21 @@ def tip(run):
 def bent(run, change):
     """(deflection of the tip by the load alone, what it moves without the load)  [m]"""
     free = tip(run.again({**change, **FREE}))
-    return tip(run.again(change)) - free, free
+    return free - tip(run.again(change)), free
 
 
-def deflection(change):
-    """Over that of like meshes, on which all rules are the same."""
-    def measure(run):
-        right = bent(run.other("scene", HERE + "case.yaml"), {**change, **LIKE, **NODES})[0]
-        return Pair(bent(run, {**change, **run.overrides})[0] / right, 1)
-    return measure
+def exact_deflection(pressure=70e6):
+    return deflection(280e3, pressure, 70e9, 0.1, 0.01)
+
+
+def by_the_load(pressure, change):
+    """Deflection by the load beside that of the closed form."""
+    return lambda run: Pair(bent(run, {**change, **run.overrides})[0], exact_deflection(pressure), "m")
 
 
 def without_a_load(run):
-    """What pressure alone bends, over the deflection of like meshes by the load."""
-    right = bent(run.other("scene", HERE + "case.yaml"), {**LIKE, **NODES})[0]
-    return Pair(bent(run, run.overrides)[1] / right, 0, "", scale=1)
+    """What pressure alone bends, over the deflection by the load."""
+    return Pair(bent(run, run.overrides)[1] / exact_deflection(), 0, "", scale=1)
 
 
 def stress_beside(case, slope, change=None):
@@ -81,38 +81,61 @@ def overlap(case):
     return lambda run: Pair(run.other("scene", case, run.overrides).result("audit_overlap_elements"), 0, "", scale=1)
 
 
-ASKED = "the bound that the rule was asked for before it was built; two passes keep 0.67 of it"
 DEPTH = "a guard lets a corner in by a hundredth of a face, which delays its part of the blow"
+LOADED, SOFT, HARD = (f"deflection of the strips by the load under {part} of Young's modulus" for part in ("0.001", "0.0002", "0.004"))
+BENT = "bent without a load, over that deflection"
+COARSE_JOINT, FINE_JOINT = (f"a joint over {which} faces: stress beside the interface" for which in ("coarse", "fine"))
+ON_A_SLOPE = "a slope with friction: stress beside the interface"
+EDGE_UP, EDGE_ASIDE, CORNER_UP = ("leaning edge: upward momentum after the blow", "leaning edge: momentum aside",
+                                  "corner on a flat side: upward momentum after the blow")
 
 CHECKS = [
-    Check("deflection over that of like meshes", deflection({}), 0.02, ASKED),
-    Check("the same under a fifth of the pressure", deflection(SOFTER), 0.02, ASKED),
-    Check("the same under four times the pressure", deflection(HARDER), 0.06, "asked for as well: the coarser strip alone has 0.978"),
-    Check("bent without a load, over that deflection", without_a_load, 0.04, "asked for as well; one pass bends by a fifth"),
-    Check("a joint over coarse faces: stress beside the interface", stress_beside(JOINT, 0), 0.02, "as asked for of the patch test"),
-    Check("a joint over fine faces: stress beside the interface", stress_beside(JOINT, 0, FINER), 0.02,
-          "the same, where the faces at the joint are the apexes'"),
-    Check("a slope with friction: stress beside the interface", stress_beside(SLOPE, 0.3), 0.02, "the same, with shear on the interface"),
-    Check("leaning edge: upward momentum after the blow", blow(EDGE, "momentum"), 0.005, DEPTH),
-    Check("leaning edge: momentum aside", blow(EDGE, "aside"), 0.005, "no face of the flat side turns the push away from its normal"),
-    Check("leaning edge: overlap in elements", overlap(EDGE), 0.02, "twice what a guard allows"),
-    Check("corner on a flat side: upward momentum after the blow", blow(CORNER, "momentum"), 0.005, DEPTH),
-    Check("corner on a flat side: overlap in elements", overlap(CORNER), 0.02, "twice what a guard allows"),
+    Check(LOADED, by_the_load(70e6, {}), 0.01, "beams of 20 and 13 elements of one point; two passes keep 0.68 of it"),
+    Check(SOFT, by_the_load(14e6, SOFTER), 0.015, "the same; errors of the interface count for more under a small pressure", full=True),
+    Check(HARD, by_the_load(280e6, HARDER), 0.01, "as under 0.001", full=True),
+    Check(BENT, without_a_load, 0.04, "none; single nodes of unlike meshes have pressures that are 2 to 3 % off, by turns (wavy_faces); "
+          "one pass bends by a fifth"),
+    Check(COARSE_JOINT, stress_beside(JOINT, 0), 0.01, "as of the patch test, 0.8 %"),
+    Check(FINE_JOINT, stress_beside(JOINT, 0, FINER), 0.02, "the same, where the faces at the joint are the apexes'"),
+    Check(ON_A_SLOPE, stress_beside(SLOPE, 0.3), 0.02, "the same, with shear on the interface"),
+    Check(EDGE_UP, blow(EDGE, "momentum"), 0.005, DEPTH, evidence="invariant"),
+    Check(EDGE_ASIDE, blow(EDGE, "aside"), 1e-5, "no face of the flat side turns the push away from its normal", evidence="invariant"),
+    Check("leaning edge: overlap in elements", overlap(EDGE), 0.02, "twice what a guard allows", evidence="invariant"),
+    Check(CORNER_UP, blow(CORNER, "momentum"), 0.005, DEPTH, evidence="invariant"),
+    Check("corner on a flat side: overlap in elements", overlap(CORNER), 0.02, "twice what a guard allows", evidence="invariant"),
+]
+
+
+def strips(run):
+    rows = []
+    for name, change in (("like, 20 on 20", LIKE), ("13 on 20", {}), ("13 on 20, nodes of both sides", NODES),
+                         ("13 on 20, nodes of one side", ONE_PASS)):
+        for refine in (0.5, 1, 2):
+            moved, free = bent(run, {**change, "refine": refine})
+            rows.append([name, f"{refine:g}", *(f"{100 * part / exact_deflection():+.2f} %" for part in
+                                                    (moved - exact_deflection(), free))])
+    return rows
+
+
+STUDIES = [
+    Falls(LOADED, along="refine", values=[0.5, 1, 2], order=1, full=True),
+    Table("Two strips under 0.001 of Young's modulus: deflection by the load beside the closed form, and what pressure alone bends, over "
+          "it.", ["cells", "refine", "by the load", "without it"], strips, full=True),
 ]
 
 BREAKS = [
-    Breaks("deflection over that of like meshes", "nodes of both sides", NODES),
-    Breaks("the same under a fifth of the pressure", "nodes of both sides", NODES),
-    Breaks("the same under four times the pressure", "nodes of both sides", NODES),
-    Breaks("bent without a load, over that deflection", "nodes of one side", ONE_PASS),
-    Breaks("a joint over coarse faces: stress beside the interface", "nodes of the larger block alone", PAIRS),
-    Breaks("a joint over fine faces: stress beside the interface", "nodes of the blocks above alone", {**FINER, **PAIRS_FROM_ABOVE}),
-    Breaks("a slope with friction: stress beside the interface", "nodes of the lower block alone", LOWER, case=SLOPE),
-    Breaks("a slope with friction: stress beside the interface", "too little friction to hold", {"contacts[0].friction": 0.2}, case=SLOPE),
-    Breaks("leaning edge: upward momentum after the blow", "nodes of the flat side alone", FLAT_SIDE, case=EDGE),
-    Breaks("leaning edge: momentum aside", "friction", {"contacts[0].friction": 0.3}, case=EDGE),
+    Breaks(LOADED, "nodes of both sides", NODES),
+    Breaks(SOFT, "nodes of both sides", NODES, full=True),
+    Breaks(HARD, "nodes of both sides", NODES, full=True),
+    Breaks(BENT, "nodes of one side", ONE_PASS),
+    Breaks(COARSE_JOINT, "nodes of the larger block alone", PAIRS),
+    Breaks(FINE_JOINT, "nodes of the blocks above alone", {**FINER, **PAIRS_FROM_ABOVE}),
+    Breaks(ON_A_SLOPE, "nodes of the lower block alone", LOWER, case=SLOPE),
+    Breaks(ON_A_SLOPE, "too little friction to hold", {"contacts[0].friction": 0.2}, case=SLOPE),
+    Breaks(EDGE_UP, "nodes of the flat side alone", FLAT_SIDE, case=EDGE),
+    Breaks(EDGE_ASIDE, "friction", {"contacts[0].friction": 0.3}, case=EDGE),
     Breaks("leaning edge: overlap in elements", "nodes of the flat side alone", FLAT_SIDE, case=EDGE),
-    Breaks("corner on a flat side: upward momentum after the blow", "nodes of the flat side alone", FLAT_SIDE, case=CORNER),
+    Breaks(CORNER_UP, "nodes of the flat side alone", FLAT_SIDE, case=CORNER),
     Breaks("corner on a flat side: overlap in elements", "nodes of the flat side alone", FLAT_SIDE, case=CORNER),
 ]
 

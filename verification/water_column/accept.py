@@ -124,7 +124,7 @@ CHECKS = [
     Check("shock velocity: pressure of the plateau, the worst of 1, 10, 49 and 100 m/s", worst_shock, 0.005,
           "half of the catalogue's bound: at 49 m/s a slope of 1.92 in place of 1.75 adds as much"),
     Check("shock velocity: what the slope adds to rho c v at 100 m/s", rise, 0.02, "a fifth of what a slope of 1.92 in place of 1.75 adds"),
-    Check("SL-1: rho c v of 160 ft/s", sl1, 0.1, "the catalogue's bound: an order of magnitude, the reported pressure is a round number"),
+    Report("SL-1: rho c v of 160 ft/s", sl1, "an order of magnitude: the reported pressure is a round number"),
     Report("SL-1: rho (c + s v) v of 160 ft/s", lambda run: sl1(run, SHOCKED), "what the shock adds to it"),
 ]
 
@@ -175,7 +175,6 @@ BREAKS = [
            {"bodies[0].material.slope": 0}, case=SHOCKED),
     Breaks("shock velocity: what the slope adds to rho c v at 100 m/s", "another slope of water, 1.92",
            {"bodies[0].material.slope": 1.92}, case=SHOCKED),
-    Breaks("SL-1: rho c v of 160 ft/s", "water of seven tenths of its speed of sound", {"bodies[0].material.sound_speed": "1036 m/s"}),
 ]
 
 
