@@ -257,8 +257,8 @@ class Store:
         return self.digests[key]
 
     def seconds(self):
-        """What all runs that were asked for took when they were made. [s]"""
-        return sum(run.seconds for run in self.done.values())
+        """Of the processor, what all runs that were asked for took when they were made. [s]"""
+        return sum(run.seconds if run.processor_seconds is None else run.processor_seconds for run in self.done.values())
 
 
 def processor_seconds():
