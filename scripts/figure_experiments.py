@@ -3,8 +3,8 @@ import figure
 
 FAMILIES = [("taylor_copper", "Taylor bars, copper"), ("taylor_6061", "Taylor bars, 6061-T6"), ("taylor_4340", "Taylor bars, 4340"),
             ("oblique_sphere", "oblique spheres"), ("impulsive_plates", "plates under impulse"), ("square_tubes", "square tubes")]
-QUANTITIES = {"length": "length", "foot": "diameter of foot", "belly": "diameter of belly", "deflection": "deflection of plates",
-              "tangent": "tangent of rebound", "spin": "spin", "force": "mean force"}
+TITLES = {"length": "length over first length", "foot": "foot over first diameter", "belly": "belly over first diameter",
+          "deflection": "deflection over thickness", "rebound": "tangent of rebound"}
 
 
 def draw(points, bands):
@@ -14,7 +14,7 @@ def draw(points, bands):
             is not that of the constants: open marks, in no band
     bands   {quantity: (bias, scatter, u_measured, number)} of the points that count [-]
     """
-    quantities = [name for name in QUANTITIES if any(one[1] == name for one in points)]
+    quantities = list(dict.fromkeys(one[1] for one in points))
     made, whole, row = figure.new_overview(len(quantities), height=130.0)
     values = [x for one in points for x in one[2:4]]
     ends = [0.8 * min(values), 1.25 * max(values)]
@@ -23,19 +23,20 @@ def draw(points, bands):
         for counts in (True, False):
             some = [one for one in points if one[0] == family and one[4] == counts]
             if some:
-                put(whole, family, counts, some, False, f"{title} ({len(some)})" if counts else f"{title}, another temper ({len(some)})")
-    whole.set(xscale="log", yscale="log", xlabel="measured", ylabel="computed")
+                put(whole, family, counts, some, False, f"{title} ({len(some)})" if counts else f"{title}, not counted ({len(some)})")
+    whole.set(xscale="log", yscale="log", xlabel="measured [-]", ylabel="computed [-]")
     whole.legend(loc="upper left", ncols=2)
     for axes, quantity in zip(row, quantities):
         band(axes, [one for one in points if one[1] == quantity], bands.get(quantity))
         axes.set_title(title_of(quantity, bands.get(quantity)), fontsize="small")
-        axes.set_xlabel("measured")
-    row[0].set_ylabel("computed / measured")
+        axes.set_xlabel("measured [-]")
+    row[0].set_ylabel("computed over measured [-]")
     return made
 
 
 def title_of(quantity, found):
-    return f"{QUANTITIES[quantity]} ({found[3]})\nbias {found[0]:.3f}, scatter {found[1]:.3f}" if found else QUANTITIES[quantity]
+    title = TITLES.get(quantity, quantity)
+    return f"{title} ({found[3]})\nbias {found[0]:.3f}, scatter {found[1]:.3f}" if found else title
 
 
 def put(axes, family, counts, points, as_ratio, label=None):

@@ -3,6 +3,8 @@ import dataclasses
 import json
 import os
 
+EVIDENCE = ("exact", "order", "invariant", "benchmark", "experiment")
+
 
 @dataclasses.dataclass
 class Row:

@@ -7,7 +7,7 @@ chaotic check only the limit and the verdict count.
 import re
 
 import defaults
-from verification_outcome import Outcome
+from verification_outcome import EVIDENCE, Outcome
 
 BEGIN, END = "<!-- written by scripts/verify.py -->", "<!-- end of what scripts/verify.py writes -->"
 PAGE = "docs/verified.md"  # holds the table of all cases
@@ -38,7 +38,7 @@ def case_block(out):
 
 
 HEAD, REASONS, DEPARTURES = "| check | expected | got | error | limit | |", "Reasons of the limits:", "What is not the default:"
-WORD = re.compile(r" \((exact|order|invariant|benchmark|experiment)\)$")  # behind the name of a check: its evidence
+WORD = re.compile(rf" \(({'|'.join(EVIDENCE)})\)$")  # behind the name of a check: its evidence
 KINDS = {"falls": "*study:* {} along ", "breaks": "*must fail:* {} → "}  # how rows of studies and breaks begin
 
 
@@ -191,8 +191,8 @@ def put_block(path, block):
 
 
 def write(root, outcomes, names, kind_of):
-    """Writes tables and figures of these outcomes into the tree; lines of other cases stay as they are, and what only the full level has
-    stays where an outcome is quick.
+    """Writes tables and figures of these outcomes into the tree; lines of other cases stay as they are. Of a quick outcome rows,
+    reasons and departures are brought up to date in a page that has them, and all else there stays.
 
     names    of all cases
     kind_of  the numbers of the catalogue and the evidence of a case, by its name

@@ -51,9 +51,8 @@ import processes
 import runs
 from convergence import order_between
 from runs import ROOT, CannotRun, Run, Store, crossings, interpolate, mean_over, read_fields, straight_line  # noqa: F401  (for cases)
-from verification_outcome import Outcome, Row
+from verification_outcome import EVIDENCE, Outcome, Row
 
-EVIDENCE = ("exact", "order", "invariant", "benchmark", "experiment")
 GOOD_ENDINGS = ("reached_end", "relaxed", "stopped_by_condition")
 
 
@@ -680,7 +679,7 @@ def options_of(arguments):
                         help="folder of the programs")
     parser.add_argument("--out", type=command_line.folder_to_write, default=ROOT / "out/verify", help="folder of runs, outcomes and report")
     parser.add_argument("--write", action="store_true",
-                        help="write tables and figures into the tree; on the quick level what is long stays as it was")
+                        help="write tables and figures into the tree; on the quick level figures, rows, reasons and departures alone")
     parser.add_argument("--no-figures", dest="figures", action="store_false", help="judge only: no figures and no report")
     parser.add_argument("--no-breaks", dest="breaks", action="store_false", help="judge only: no breaks, studies and tables")
     parser.add_argument("--verbose", action="store_true", help="print every row of every case")

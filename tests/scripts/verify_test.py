@@ -249,6 +249,20 @@ class ReferencesTest(unittest.TestCase):
                 self.assertEqual(result.failed, 0, said.getvalue())
                 self.assertGreater(result.attempted, 0, "no doctest")
 
+    def test_decks_for_other_codes_can_be_written(self):
+        """Examples of what they share hold, and each gives a deck with a step."""
+        import importlib.util
+        decks = sorted(verify.ROOT.glob("verification/*/deck.py"))
+        self.assertGreater(len(decks), 1)
+        for path in decks:
+            spec = importlib.util.spec_from_file_location(f"deck_of_{path.parent.name}", path)
+            module = importlib.util.module_from_spec(spec)
+            with self.subTest(path.parent.name), contextlib.redirect_stdout(io.StringIO()) as said:
+                spec.loader.exec_module(module)
+                self.assertEqual(doctest.testmod(module).failed, 0, said.getvalue())
+                if hasattr(module, "deck"):
+                    self.assertIn("*STEP", "\n".join(module.deck(4)))
+
     def test_references_import_nothing_of_ours(self):
         allowed = {"math", "cmath", "collections", "fractions", "dataclasses", "functools", "itertools", "random"}
         for name in verify.names_of_all():
