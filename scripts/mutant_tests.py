@@ -20,6 +20,8 @@ import processes
 # they judge texts of the tree, build it again, or need a screen
 LEFT_OUT = re.compile(r"house\.|scripts\.(house|pages|syntax|benchmark|seeded_faults)$|drivers\.package$|verify\.(tables|pages)$")
 SKIPPED = 77
+# a shell that works in the background has its programs ignore these, and tests send them
+SIGNALS = ("env", "--default-signal=INT,QUIT")
 SLOWER = 5       # times as long as without a fault: a test that hangs has noticed it
 AT_LEAST = 30.0  # [s]
 
@@ -66,9 +68,9 @@ def run_test(test, folder, number, limit=None, reached=None, stop=None):
                    "PYTHONDONTWRITEBYTECODE": "1"}
     if reached:
         environment["NEREID_MUTANTS_REACHED"] = str(reached)
-    words = [word.replace("{scratch}", str(folder / "out")) for word in test.words]
+    words = [*SIGNALS, *(word.replace("{scratch}", str(folder / "out")) for word in test.words)]
     started = time.monotonic()
-    with open(folder.with_suffix(".log"), "w", encoding="utf-8") as log:
+    with open(folder.parent / f"{folder.name}.log", "w", encoding="utf-8") as log:
         run = processes.start(words, stdout=log, stderr=subprocess.STDOUT, stdin=processes.NOTHING, cwd=folder, env=environment,
                               start_new_session=True)
         said = "fail"
@@ -91,15 +93,16 @@ def run_test(test, folder, number, limit=None, reached=None, stop=None):
 
 
 def first_to_notice(tests, number, scratch, seconds, jobs):
-    """The name of a test that fails with this fault, or nothing; what runs beside it is ended. Tests are asked in their order."""
+    """The name of a test that fails with this fault twice, as a busy machine may do it once, or nothing; what runs beside it is ended.
+    Tests are asked in their order."""
     noticed, lock, stop = [], threading.Lock(), threading.Event()
 
     def ask(place):
         if stop.is_set():
             return
         test = tests[place]
-        said, _ = run_test(test, scratch / f"{number}_{place}", number, SLOWER * seconds[test.name] + AT_LEAST, stop=stop)
-        if said == "fail":
+        limit = SLOWER * seconds[test.name] + AT_LEAST
+        if all(run_test(test, scratch / f"{number}_{place}", number, limit, stop=stop)[0] == "fail" for _ in range(2)):
             with lock:
                 noticed.append(test.name)
             stop.set()
@@ -127,6 +130,21 @@ def measure(tests, scratch, jobs, say):
     with ThreadPoolExecutor(jobs) as pool:
         list(pool.map(one, tests))
     return found
+
+
+def within(tests, seconds, limit):
+    """Those of some tests that a limit of seconds allows, in their order: one that is too long is passed over.
+
+    >>> a, b, c = (Test(name, "unit", ()) for name in "abc")
+    >>> [test.name for test in within([a, b, c], {"a": 1, "b": 9, "c": 2}, 4)]
+    ['a', 'c']
+    """
+    some, left = [], limit
+    for test in tests:
+        if seconds[test.name] <= left:
+            some.append(test)
+            left -= seconds[test.name]
+    return some
 
 
 def in_order(tests, module, seconds, kills):

@@ -409,6 +409,18 @@ TEST(Look, KeepsWhatIsSureBesideWhatIsDeepest) {
   EXPECT_EQ(worst(memory)->time, 1);
 }
 
+TEST(Look, CountsAsSureWhatIsBeyondTheGapOfBentFaces) {
+  const mesh::Mesh apart = warped_wall(0.1, 0.12, -0.5);
+  Workspace work = workspace_of(apart);
+  Memory memory;
+  look(apart.X, 0, true, work, memory);
+  look(warped_wall(0.1, 0.12, 0.04).X, 1, true, work, memory);
+  const double sure = surely_in_elements(found(warped_wall(0.1, 0.12, 0.04)).surest);
+  EXPECT_GT(sure, 0.1);
+  EXPECT_GT(worst(memory)->grown, sure + 0.1);
+  EXPECT_NEAR(surest(memory)->sure, sure, 1e-9);
+}
+
 TEST(Look, CountsOfAPlateWhatGrows) {
   const mesh::Mesh start = under_plate(0.03);
   Workspace work = workspace_of(start, 0.1);

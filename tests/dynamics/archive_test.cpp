@@ -22,7 +22,7 @@ Scene blocks(contact::Method method) {
   InterfaceOptions options;
   options.method = method;
   options.height = {.from_initial_height = false, .clearance = 0, .given = 0};
-  options.friction.coefficient = 0.4;
+  options.friction = {.coefficient = 0.4, .kinetic = 0.2, .decay = 1};
   s.joined("joint", "above.z_low", "below.z_high", options);
   s.ready();
   s.move("above", Vec3(1, 0.5, -3));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "dynamics/run.hpp"
 #include "mesh/box.hpp"
@@ -220,7 +221,10 @@ TEST(Relaxation, ThatIsNotThereAtTheEndSaysHowFarItIs) {
   const Outcome outcome = s.run_to(5e-3);
   EXPECT_EQ(outcome.ending, Ending::not_relaxed);
   EXPECT_FALSE(good(outcome.ending));
-  EXPECT_EQ(outcome.reason.rfind("the residual is ", 0), 0U) << outcome.reason;
+  double residual = 0, limit = 0;
+  ASSERT_EQ(std::sscanf(outcome.reason.c_str(), "the residual is %lg; the limit is %lg", &residual, &limit), 2) << outcome.reason;
+  EXPECT_NEAR(residual, s.state.relaxation.residual, 1e-2 * residual);  // three digits are told
+  EXPECT_NEAR(limit, s.model.relaxation->residual, 1e-2 * limit);
 }
 
 TEST(Relaxation, OfWhatFallsSaysThatItMoves) {

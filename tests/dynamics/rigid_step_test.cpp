@@ -251,5 +251,20 @@ TEST(RigidStep, ADriverMovesItAsItSaysAndTakesTheWork) {
   expect_balance(s, 0.5 * mass, mass);
 }
 
+TEST(RigidStep, ADriverTakesTheMomentOfATurnAboutNoPrincipalAxis) {
+  Scene s = blocks({{0, 0, 0}}, {1});
+  load::Plane driver = plane("driver", load::PlaneKind::driven, Vec3::UnitZ(), mesh::node_set(s.model.mesh, "a"));
+  driver.angular_velocity[0] = driver.angular_velocity[1] = [](double, double, double, double) { return 5.0; };
+  s.model.constraints.planes = {driver};
+  s.model.held_bodies[0] = {.rows = {}, .first = -1, .driver = 0};
+  s.model.longest_step = 1e-4;
+  finalize(s.model);
+  s.ready();
+  s.run_to(0.1);
+  const double mass = s.model.rigid_bodies[0].mass.mass;
+  EXPECT_GT(s.state.rigid_bodies[0].angular_momentum.cross(Vec3(1, 1, 0)).norm(), 1e-3 * mass) << "it wobbles";
+  expect_balance(s, mass, mass);
+}
+
 }  // namespace
 }  // namespace nereid::dynamics::rigid_step_test

@@ -63,6 +63,15 @@ TEST(ReadBody, StandsWhereItIsTurnedAndMoved) {
   EXPECT_EQ(still.move, Vec3::Zero());
 }
 
+TEST(ReadBody, TakesProductsOfInertiaInTheirOrder) {
+  const model::Scene scene = read(bar + "    rigid: true\n    mass_properties: {inertia: [1 kg*m^2, 2 kg*m^2, 3 kg*m^2, 0.1 kg*m^2, "
+                                        "0.2 kg*m^2, 0.3 kg*m^2]}\n" + time);
+  const Mat3 inertia = scene.bodies[0].given.inertia.value();
+  EXPECT_EQ(Vec3(inertia.diagonal()), Vec3(1, 2, 3));
+  EXPECT_EQ(Vec3(inertia(0, 1), inertia(1, 2), inertia(0, 2)), Vec3(0.1, 0.2, 0.3)) << "xy, yz, xz";
+  EXPECT_EQ(inertia, Mat3(inertia.transpose()));
+}
+
 TEST(ReadBody, MayHaveFullHexahedra) {
   const model::Scene scene = read(bar + "    element: {kind: full}\n" + time);
   EXPECT_TRUE(std::holds_alternative<element::FullHexahedron::Options>(scene.bodies[0].solid));

@@ -145,6 +145,20 @@ TEST(Bubble, HasThePressureOfItsVolumeAndDoesTheWorkOfItsCurve) {
   EXPECT_LT(error[1], 0.1);
 }
 
+TEST(Bubble, OfASurfaceThatGrowsHasTheVolumeThatItSweepsToTheSecondOrder) {
+  const mesh::Mesh mesh = mesh::box("box", {Vec3::Zero(), Vec3(0.3, 0.2, 0.1), {3, 2, 1}});
+  const AnyLoad load = bubble_under("b", mesh, mesh::surface(mesh, "box.z_low"), [](double) { return 0.0; }, 0.01);
+  LoadMemory memory = initial_memory(load);
+  const int steps = 20;
+  const double dt = 1.0 / steps;
+  Vectors x = mesh.X, v = 0.5 * mesh.X;
+  v.row(2).setConstant(0.1);
+  advance(load, mesh.X, x, v, no_turns, 0, 0, memory);
+  for (int i = 1; i <= steps; ++i) x += dt * v, advance(load, mesh.X, x, v, no_turns, i * dt, dt, memory);
+  const double exact = 0.06 * 0.1 * (1 + 0.5 + 0.25 / 3);  // the integral of the area (1 + t/2)^2
+  EXPECT_NEAR(memory.swept, exact, 1e-3 * exact);
+}
+
 TEST(NodalForce, IsSharedEquallyAndBooksWorkAndImpulsesByTheTrapezoidRule) {
   const Vectors X = random_vectors(4, 1, 4), v = random_vectors(4, 1, 5);
   const AnyLoad load = NodalForce{"f", {1, 3}, {[](double t) { return 2 * t; }, constant(0), constant(5)}};

@@ -192,6 +192,21 @@ TEST(Sections, HaveTheForceAndMomentOfAnEvenStress) {
   EXPECT_NEAR(simulation.state.sections[0].moment.z(), -0.5 * -tension, 1e-4 * tension);
 }
 
+TEST(Sections, OfAPlateHaveTheMomentsOfItsNodesSoThatBothSidesBalance) {
+  const auto nothing = [](double, double, double, double) { return 0.0; };
+  Scene scene = with({sheet()});
+  scene.bodies[0].mesh = mesh::Sheet{4, 1, 12, 3};
+  scene.initial = {{.body = "sheet", .displacement = false,
+                    .value = {nothing, nothing, [](double x, double y, double, double) { return x * x + 0.5 * x * y; }}}};
+  scene.sections = {{.name = "cut", .body = "sheet", .point = Vec3(2.5, 0.5, 1.5), .normal = Vec3::UnitX()},
+                    {.name = "back", .body = "sheet", .point = Vec3(2.5, 0.5, 1.5), .normal = -Vec3::UnitX()}};
+  Simulation simulation = build(scene);
+  run(simulation);
+  const Vec3 moment = simulation.state.sections[0].moment;
+  EXPECT_GT(std::abs(moment.y()), 1);
+  EXPECT_LT((simulation.state.sections[1].moment + moment).norm(), 1e-10 * moment.norm());
+}
+
 TEST(Sections, AreRefusedWhereTheyCutNothing) {
   Scene scene = swinging();
   scene.sections[1] = {.name = "beside", .body = "bar", .point = Vec3(5, 0, 0), .normal = Vec3::UnitX()};

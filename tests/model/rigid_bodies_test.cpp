@@ -84,6 +84,14 @@ TEST(RigidBodies, TakeMassPropertiesThatAreGiven) {
   EXPECT_TRUE(says(refusal(with({body})), "no body has the inertia of 'bar'"));
 }
 
+TEST(RigidBodies, OfAGivenMassAloneHaveTheInertiaOfTheirMaterialInThatProportion) {
+  const rigid::MassProperties own = build(with({rigid(bar())})).model.rigid_bodies[0].mass;
+  Body body = rigid(bar());
+  body.given = {.mass = 3 * own.mass};
+  const rigid::MassProperties given = build(with({body})).model.rigid_bodies[0].mass;
+  EXPECT_LT((given.inertia - 3 * own.inertia).norm(), 1e-12 * given.inertia.norm());
+}
+
 TEST(RigidBodies, OfPlatesHaveNoTurnsOfTheirNodes) {
   const dynamics::Model model = build(with({rigid(sheet())})).model;
   EXPECT_EQ(model.inertia.size(), 0);

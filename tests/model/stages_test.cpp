@@ -58,6 +58,22 @@ TEST(Stages, RunOneAfterTheOtherInOneLedger) {
   EXPECT_LT(dynamics::angular_momentum_residual(ledger).norm(), 1e-10 * 16000);
 }
 
+TEST(Stages, RelaxForAsLongAsTheySayAfterTheirOwnBeginning) {
+  const auto relaxed_at = [](double first) {  // nothing happens in the first stage
+    Scene scene = staged();
+    scene.stages[0].duration = first, scene.stages[0].relaxation.reset(), scene.stages[0].off = {"pull", "late"};
+    scene.stages[1].duration = 0.2, scene.stages[1].off = {"late"}, scene.stages[1].initial.clear();
+    scene.stages[1].relaxation = dynamics::Relaxation{.residual = 0.5, .after = 20e-3};
+    scene.time.end = first + 0.2;
+    Simulation simulation = build(scene);
+    EXPECT_EQ(run(simulation).ending, dynamics::Ending::relaxed);
+    return simulation.state.t;
+  };
+  const double early = relaxed_at(1e-3), late = relaxed_at(9e-3);
+  EXPECT_GE(early, 21e-3);
+  EXPECT_NEAR(late - early, 8e-3, 2e-3) << "steps are long";
+}
+
 TEST(Stages, APlaneThatComesLateBooksWhatItStops) {
   Scene scene = with({bar()});
   scene.planes = {{.name = "wall", .kind = PlaneKind::constrained, .nodes = {"bar"}, .normal = Vec3::UnitX()}};

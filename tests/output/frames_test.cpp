@@ -14,19 +14,27 @@ struct Scene {
   dynamics::State state;
   dynamics::Forces forces;
 
-  Scene() {
+  /// against_wall  A moves into a rigid plane behind it instead of into B
+  explicit Scene(bool against_wall = false) {
     model.mesh = mesh::join(mesh::box("A", {Vec3::Zero(), Vec3::Ones(), {2, 2, 2}}),
                             mesh::box("B", {Vec3(1, 0, 0), Vec3(2, 1, 1), {2, 2, 2}}));
     const material::Elastic law{1, 1, 0};
     model.blocks.push_back(element::hexahedra(model.mesh, "A", law, {.viscosity = {0, 0}}));
     model.blocks.push_back(element::solids(model.mesh, "B", law, element::FullHexahedron::Options{{0, 0}}));
     model.constraints.planes.push_back({"floor", load::PlaneKind::floor, Vec3::Zero(), Vec3::UnitZ(), mesh::node_set(model.mesh, "A")});
+    if (against_wall) {
+      contact::RigidPlane wall;
+      wall.name = "wall", wall.method = contact::Method::multiplier, wall.normal = Vec3::UnitX();
+      wall.nodes = mesh::node_set(model.mesh, "A.x_low");
+      wall.area = Scalars::Constant(wall.nodes.size(), 1.0 / 9), wall.impedance = 1;
+      model.rigid_planes.push_back(wall);
+    }
     dynamics::finalize(model);
     const auto connected = dynamics::connect(model, "contact", "A.x_high", "B.x_low", {.edges = false}).front();
     std::vector<contact::AnyMemory> memories{connected.memory};
     state = dynamics::initial_state(model, memories);
     forces = dynamics::make_forces(model);
-    for (const Index node : mesh::node_set(model.mesh, "A")) state.v(0, node) = 0.1;
+    for (const Index node : mesh::node_set(model.mesh, "A")) state.v(0, node) = against_wall ? -0.1 : 0.1;
     dynamics::start(model, state, forces);
     for (int i = 0; i < 3; ++i) dynamics::step(model, 0.9 * state.step_limits.elements.step, state, forces);
   }
@@ -54,6 +62,14 @@ TEST(BodyGrid, ShowsContactForcesThatCancel) {
   const Eigen::MatrixXd force = field(body_grid(scene.view()).point_fields, "contact_force").values;
   EXPECT_GT(force.norm(), 0);
   EXPECT_LT(force.rowwise().sum().norm(), 1e-12 * force.norm());
+}
+
+TEST(BodyGrid, ShowsTheForcesOfRigidPlanes) {
+  Scene scene(true);
+  const Eigen::MatrixXd force = field(body_grid(scene.view()).point_fields, "contact_force").values;
+  const Vec3 of_plane = contact::force(scene.model.rigid_planes[0], scene.state.rigid_planes[0]);
+  EXPECT_GT(of_plane.x(), 0);
+  EXPECT_LT((Vec3(force.rowwise().sum()) - of_plane).norm(), 1e-12 * of_plane.norm()) << "those of bodies on each other cancel";
 }
 
 TEST(ContactGrid, ShowsEveryPotentialElementOnceAsLineAndOnceAsFacet) {

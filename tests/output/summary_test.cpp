@@ -54,7 +54,7 @@ Summary example() {
   contact.work = -4;
   contact.stored[Stored::penalty] = 1;
   contact.dissipated[Dissipated::friction] = 2;
-  contact.impulse = Vec3(1, 2, 2.5);
+  contact.impulse = Vec3(1, 2, 2.5), contact.angular_impulse = Vec3(0.5, 0, -1);
   summary.sources = {{"A_on_B", SourceKind::interface, {Stored::penalty}, {Dissipated::friction}}};
   summary.ledger.accounts = {contact};
   summary.overlaps = {{{"A", "B"}, {"A_on_B"}, 0.5, 0.25, 2, Vec3(1, 2, 3), 0.125}};
@@ -104,6 +104,8 @@ TEST(Summary, LedgerCarriesEveryAccountWithUnits) {
                    R"("created":{"value":-1.0,"unit":"J"},)"
                    R"("created_relative":{"value":-0.125,"unit":"1"},)"
                    R"("passed":{"value":6.0,"unit":"J"},"created_of_passed":{"value":-0.15,"unit":"1"})");
+  EXPECT_HAS(text, R"("impulse":{"value":[1.0,2.0,2.5],"unit":"N s"})");
+  EXPECT_HAS(text, R"("angular_impulse":{"value":[0.5,0.0,-1.0],"unit":"N m s"})");
 }
 
 TEST(Summary, CreatedEnergyIsRelativeToNothingWhenNothingMoved) {

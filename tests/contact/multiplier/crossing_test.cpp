@@ -555,6 +555,9 @@ TEST(Enforce, CreatesNothingWhereEdgesCrossAndRubWhateverTheMassesAndAngles) {
     const auto energy = [&](const Vectors& v) { return 0.5 * (v.colwise().squaredNorm().transpose().array() * fans.mass.array()).sum(); };
     touching += sides(memories[0]).force.isZero(0) ? 0 : 1;
     EXPECT_LT(energy(all.velocity), 1.01 * energy(fans.v)) << trial;  // iterations end before every rate is zero
+    Vec3 gained = Vec3::Zero();
+    for (Index node = 0; node < nodes / 2; ++node) gained += fans.mass(node) * (all.velocity.col(node) - fans.v.col(node));
+    EXPECT_LT((gained - m.dt * sides(memories[0]).force).norm(), 1e-9 * (1 + gained.norm())) << trial << ", normal forces and friction";
   }
   EXPECT_GT(touching, 500);
 }

@@ -50,6 +50,19 @@ TEST(BodyWays, AreNoLessThanThoseOfAnyTwoNodes) {
   }
 }
 
+TEST(BodyWays, AreThoseAgainstTheFastestNeighbourWhicheverComesLast) {
+  Scene scene;
+  scene.memory.near.push_back({.apex = 4, .tracks = {}, .element = {}, .friction = {}});
+  scene.memory.near.back().tracks.begin(1, 0);
+  scene.v.col(0).x() = scene.v.col(1).x() = 10;
+  scene.v.col(4) = Vec3(0, 1, 0);
+  Workspace workspace(scene.interface);
+  find_near_bodies(scene.interface, scene.memory, workspace);
+  ASSERT_EQ(workspace.near_bodies, (std::vector<std::array<Index, 2>>{{0, 1}, {1, 2}}));
+  find_speeds_apart(scene.interface, scene.v, workspace);
+  EXPECT_EQ(workspace.apart, (std::vector<double>{10, 10, 1}));
+}
+
 TEST(BodyWays, CountBodiesThatATrackOrEdgesLinkToo) {
   Scene scene;
   scene.memory.near.push_back({.apex = 0, .tracks = {}, .element = {}, .friction = {}});
