@@ -13,7 +13,6 @@ volume by 4 and 12 %, and the length of that of 373 m/s is 0.758 of the first on
 doubtful. The source table has shots to 603 m/s, which the shorter table of fast_bar has not: 603 m/s (0.370), 580 (0.404) and 591
 (0.412).
 """
-from math import log
 
 # standard uncertainties of the inputs over their values: no source gives one. 5 % on the yield stress is the spread of T6 from batch to
 # batch; the others are how far constants of one metal lie apart between authors
@@ -25,10 +24,3 @@ FRICTION = 0.1  # [-] between anvil and bar, somewhere between none and this: no
 U_MEASURED = {"length": 0.01, "foot": 0.027, "belly": 0.027}  # [-] scatter of House's shots about a smooth curve: see above
 
 
-def flow(strain, rate):
-    """Flow stress of the constants without heat [MPa] at a rate in 1/s.
-
-    >>> round(flow(0.2, 1e4))   # measured, for an even field: 508 to 533 MPa
-    389
-    """
-    return (324 + 114 * strain**0.42) * (1 + 0.002 * log(rate))
