@@ -141,7 +141,8 @@ BREAKS = [
 
 
 def computed_curve(run):
-    return [("Nereid", [angle for angle in QUICK], [rebound(strike(run, angle)) for angle in QUICK])]
+    angles = [angle for angle, _ in TESTS["rebound"]]
+    return [("Nereid", angles, [rebound(strike(run, angle, OF_POINTS)) for angle in angles])]
 
 
 def measured_curve(_):
@@ -149,4 +150,4 @@ def measured_curve(_):
 
 
 FIGURES = [Figure("rebound", "impact angle [degrees]", "rebound angle [degrees]", computed_curve, exact=measured_curve,
-                  caption="Rebound over impact angle.")]
+                  caption="Rebound over impact angle.", full=True)]

@@ -16,7 +16,6 @@ shots are left out: their flow stresses go from 189 to 842 MPa without order, so
 length and 2.5 % at the foot (12 degrees of freedom); two equal shots differ by 0.7 and 2.3 %. The larger numbers are taken, for all
 sources. Shots that are out of order, as Gust's at 148 and 311 m/s by 8 and 12 %, stay.
 """
-from math import log
 
 # standard uncertainties of the inputs over their values: no source gives one. 10 % on the yield stress and 5 % on the hardening are the
 # spread of one temper from batch to batch; the others are how far constants of one metal lie apart between authors
@@ -28,10 +27,3 @@ FRICTION = 0.1  # [-] between anvil and bar, somewhere between none and this: no
 U_MEASURED = {"length": 0.01, "foot": 0.025, "belly": 0.025}  # [-] scatter of House's shots about a smooth curve: see above
 
 
-def flow(strain, rate):
-    """Flow stress of the constants without heat [MPa] at a rate in 1/s.
-
-    >>> round(flow(0.2, 1e4))   # measured, for an even field, batch `soft`: 352 MPa
-    329
-    """
-    return (90 + 292 * strain**0.31) * (1 + 0.025 * log(rate))
