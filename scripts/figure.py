@@ -78,16 +78,22 @@ def new_grid(rows, columns, width=DOUBLE_COLUMN, height=130.0):
     return figure, [list(row) for row in axes]
 
 
-def new_overview(columns, width=DOUBLE_COLUMN, height=120.0, ratios=(3, 2)):
-    """A figure of width x height [mm]: wide axes over a row of `columns` axes that share their ordinate."""
+def new_overview(count, columns, width=DOUBLE_COLUMN, height=120.0, ratios=(3, 2)):
+    """A figure of width x height [mm]: wide axes over rows of `columns` axes, `count` in all; those of a row share their ordinate.
+
+    ratios  heights of the wide axes and of each row
+    """
     use_style()
     figure = plt.figure(figsize=(width / 25.4, height / 25.4), constrained_layout=True)
-    grid = figure.add_gridspec(2, columns, height_ratios=ratios)
-    row = [figure.add_subplot(grid[1, 0])]
-    row += [figure.add_subplot(grid[1, column], sharey=row[0]) for column in range(1, columns)]
-    for axes in row[1:]:
-        axes.tick_params(labelleft=False)
-    return figure, figure.add_subplot(grid[0, :]), row
+    rows = -(-count // columns)
+    grid = figure.add_gridspec(1 + rows, columns, height_ratios=[ratios[0], *[ratios[1]] * rows])
+    small = []
+    for place in range(count):
+        first = small[place - place % columns] if place % columns else None
+        small.append(figure.add_subplot(grid[1 + place // columns, place % columns], sharey=first))
+        if first:
+            small[-1].tick_params(labelleft=False)
+    return figure, figure.add_subplot(grid[0, :]), small
 
 
 def save(figure, path, png=True):

@@ -3,8 +3,10 @@ import figure
 
 FAMILIES = [("taylor_copper", "Taylor bars, copper"), ("taylor_6061", "Taylor bars, 6061-T6"), ("taylor_4340", "Taylor bars, 4340"),
             ("oblique_sphere", "oblique spheres"), ("impulsive_plates", "plates under impulse"), ("square_tubes", "square tubes")]
-TITLES = {"length": "length over first length", "foot": "foot over first diameter", "belly": "belly over first diameter",
-          "deflection": "deflection over thickness", "rebound": "tangent of rebound"}
+# in the order of their panels
+TITLES = {"length": "length", "foot": "foot", "belly": "belly", "deflection": "deflection", "rebound": "rebound", "spin": "spin",
+          "length, heated": "length, heated", "foot, heated": "foot, heated", "belly, heated": "belly, heated"}
+COLUMNS = 5
 
 
 def draw(points, bands):
@@ -14,8 +16,9 @@ def draw(points, bands):
             is not that of the constants: open marks, in no band
     bands   {quantity: (bias, scatter, u_measured, number)} of the points that count [-]
     """
-    quantities = list(dict.fromkeys(one[1] for one in points))
-    made, whole, row = figure.new_overview(len(quantities), height=130.0)
+    known = list(TITLES)
+    quantities = sorted(dict.fromkeys(one[1] for one in points), key=lambda name: known.index(name) if name in known else len(known))
+    made, whole, panels = figure.new_overview(len(quantities), min(COLUMNS, len(quantities)), height=155.0)
     values = [x for one in points for x in one[2:4]]
     ends = [0.8 * min(values), 1.25 * max(values)]
     whole.plot(ends, ends, color="#000000", linewidth=0.8)
@@ -26,11 +29,13 @@ def draw(points, bands):
                 put(whole, family, counts, some, False, f"{title} ({len(some)})" if counts else f"{title}, not counted ({len(some)})")
     whole.set(xscale="log", yscale="log", xlabel="measured [-]", ylabel="computed [-]")
     whole.legend(loc="upper left", ncols=2)
-    for axes, quantity in zip(row, quantities):
+    for axes, quantity in zip(panels, quantities):
         band(axes, [one for one in points if one[1] == quantity], bands.get(quantity))
         axes.set_title(title_of(quantity, bands.get(quantity)), fontsize="small")
+    for place in range(0, len(panels), COLUMNS):
+        panels[place].set_ylabel("computed / measured [-]")
+    for axes in panels[-COLUMNS:]:
         axes.set_xlabel("measured [-]")
-    row[0].set_ylabel("computed over measured [-]")
     return made
 
 
