@@ -38,6 +38,7 @@ void update(const Model& model, double dt, const Pace& pace, State& now, Forces&
       limits.volume_ratio = limit.volume_ratio, limits.smallest_block = source, limits.smallest_element = limit.volume_element;
     }
   }
+  limits.contact.lower_to({model.longest_step, at_largest_step}, 0);
   update_thickness(model, now, f);
   for (std::size_t c = 0; c < model.contacts.size(); ++c, ++source) {
     const contact::Interface* interface = contact::interface_of(model.contacts[c]);

@@ -68,7 +68,7 @@ struct Model {
   std::vector<HeldBody> held_bodies;    ///< beside rigid_bodies
   std::vector<Index> rigid_of_block;    ///< beside blocks: the rigid body that it belongs to, or -1; empty without any
   std::vector<Section> sections;
-  double longest_step = 1e300;          ///< [s] where there are rigid bodies: nothing else may limit the step
+  double longest_step = 1e300;          ///< [s] no step is longer
 
   // set by finalize()
   /// [kg] lumped, [nodes]. Those of a rigid body are bounds: its nodes, if they were free, would move no less by any impulses

@@ -103,7 +103,7 @@ ExpectedSteps expected_steps(const Simulation& simulation) {
   if (limits.blows.source >= 0 && limits.contact.source == limits.blows.source) limits.contact = {};  // shorter for a while alone
   expected.first = dynamics::choose_step(limits, simulation.time.safety);
   expected.elements = simulation.time.safety * now.step_limits.elements.step;
-  if (!model.rigid_bodies.empty()) expected.elements = std::min(expected.elements, model.longest_step);
+  expected.elements = std::min(expected.elements, model.longest_step);
   expected.dt = std::min(expected.first.dt, expected.elements);
   for (std::size_t c = 0; c < model.contacts.size(); ++c) expected.contacts.push_back(step_in_touch(simulation, c));
   for (std::size_t p = 0; p < model.rigid_planes.size(); ++p) {

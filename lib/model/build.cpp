@@ -468,6 +468,7 @@ Simulation build(const Scene& scene) {
   open_skins(model);
   if (!have_masses(scene, model, faults)) throw_if_any(faults);
   const std::size_t before = faults.size();
+  if (scene.time.largest_step > 0) model.longest_step = scene.time.largest_step;
   add_rigid_bodies(scene, model, faults);
   simulation.stages = make_stages(scene, all_planes, model, faults);
   if (faults.size() > before) throw_if_any(faults);

@@ -225,8 +225,7 @@ void add_rigid_bodies(const Scene& scene, dynamics::Model& model, Faults& faults
   }
   hold_rigid_bodies(scene, model.constraints, model, faults);
   const bool all = std::none_of(model.rigid_of_block.begin(), model.rigid_of_block.end(), [](Index body) { return body < 0; });
-  if (scene.time.largest_step > 0) model.longest_step = scene.time.largest_step;
-  else if (all) model.longest_step = scene.time.end / steps_of_rigid_scenes;
+  if (all && !(scene.time.largest_step > 0)) model.longest_step = scene.time.end / steps_of_rigid_scenes;
 }
 
 void hold_rigid_bodies(const Scene& scene, const load::Constraints& constraints, dynamics::Model& model, Faults& faults) {

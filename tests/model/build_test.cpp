@@ -18,6 +18,18 @@ TEST(Build, GivesBodiesTheirMassAndKind) {
   EXPECT_NEAR(model.mass.sum(), 16000 + 32, 1e-9);  // 2 m3 and 2 m2 of 2 mm, of 8000 kg/m3; round-off
 }
 
+TEST(Build, NoStepIsLongerThanTheLargestOneWhateverTheBodies) {
+  for (const bool rigid : {false, true}) {
+    Scene scene = with({bar(), wall()});
+    scene.bodies[0].rigid = rigid;
+    scene.time.end = 1e-4, scene.time.largest_step = 1e-6;
+    Simulation simulation = build(scene);
+    const dynamics::Outcome outcome = run(simulation);
+    EXPECT_EQ(simulation.state.step, 100) << rigid;
+    EXPECT_NEAR(outcome.largest_step, 1e-6, 1e-15) << rigid;
+  }
+}
+
 TEST(Build, AContactStandsOffHalfTheThicknessOfPlates) {
   Scene scene = with({bar(), sheet()});
   scene.contacts = {touch("bar.z_high", "sheet.bottom")};
