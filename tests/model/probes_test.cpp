@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -708,6 +709,8 @@ const std::vector<std::string>& words() {
 /// Whether each probe of a scene is accepted: those that are refused are left out until no fault is left.
 std::vector<char> accepted(Scene scene, const std::vector<Probe>& probes) {
   std::vector<char> is(probes.size(), 1);
+  std::map<std::string, std::size_t> place;
+  for (std::size_t p = 0; p < probes.size(); ++p) place["probe '" + probes[p].name + "'"] = p;
   for (bool refused = true; refused;) {
     scene.probes.clear();
     for (std::size_t p = 0; p < probes.size(); ++p)
@@ -717,8 +720,7 @@ std::vector<char> accepted(Scene scene, const std::vector<Probe>& probes) {
       build(scene);
     } catch (const SceneError& error) {
       for (const Fault& fault : error.faults)
-        for (std::size_t p = 0; p < probes.size(); ++p)
-          if (fault.part == "probe '" + probes[p].name + "'") is[p] = 0, refused = true;
+        if (const auto at = place.find(fault.part); at != place.end()) is[at->second] = 0, refused = true;
       if (!refused) throw;
     }
   }

@@ -150,7 +150,7 @@ STUDIES = [
 
 def lengths(run):
     return [(f"{speed} m/s, {LEVELS[level][2]} cells", [1e6 * t for t in one.column("time")], [1e3 * x for x in one.column("length")])
-            for speed in SPEEDS for level in (0, 1) for one in [of(run, speed, level)]]
+            for speed, level in QUICK for one in [of(run, speed, level)]]
 
 
 FIGURES = [Figure("length", "time [us]", "length [mm]", lengths, error=False, caption="Lengths of the bars.")]
