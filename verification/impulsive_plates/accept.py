@@ -70,6 +70,7 @@ CHECKS = [
            "D of mild steel differs between authors", full=True),
     Report("deflection at phi = 10, a third of the reference rate", changed({"bodies[0].material.cowper_symonds.rate": "13.5 1/s"}),
            "D of mild steel differs between authors", full=True),
+    Report("deflection at phi = 10 by default", changed({"bodies[0].element.layers": 5}), "five layers in the place of seven", full=True),
     Report("plastic work after the mean begins", late_work, "the mean is over a swing that is all but elastic"),
 ]
 STUDIES = [
@@ -77,8 +78,8 @@ STUDIES = [
     Table("All points.", list(COLUMNS), lambda run: [one.row() for one in validation_points(run)], full=True),
 ]
 BREAKS = [
-    Breaks("deflection at phi = 10 beside the line of tests", "ends that may slide inwards and turn: no membrane force",
-           {"planes[2].kind": "constrained", "planes[2].normal": "[0, 0, 1]"}),
+    Breaks("deflection at phi = 10 beside the line of tests", "ends that may slide inwards and turn: no membrane force; half of the cells",
+           {"planes[2].kind": "constrained", "planes[2].normal": "[0, 0, 1]", "bodies[0].mesh.cells_core": 4, "bodies[0].mesh.cells_ring": 6}),
 ]
 DEPARTURES = {"layers": "few layers do not tell the moment at first yield from the fully plastic one"}
 
