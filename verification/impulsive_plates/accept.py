@@ -79,7 +79,8 @@ STUDIES = [
 ]
 BREAKS = [
     Breaks("deflection at phi = 10 beside the line of tests", "ends that may slide inwards and turn: no membrane force; half of the cells",
-           {"planes[2].kind": "constrained", "planes[2].normal": "[0, 0, 1]", "bodies[0].mesh.cells_core": 4, "bodies[0].mesh.cells_ring": 6}),
+           {"planes[2].kind": "constrained", "planes[2].normal": "[0, 0, 1]", "bodies[0].mesh.cells_core": 4,
+            "bodies[0].mesh.cells_ring": 6}),
 ]
 DEPARTURES = {"layers": "few layers do not tell the moment at first yield from the fully plastic one"}
 
