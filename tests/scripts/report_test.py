@@ -113,6 +113,11 @@ class ReportTest(unittest.TestCase):
     def assertIn(self, part, whole):
         self.assertTrue(part in whole, part)  # without a page of a megabyte
 
+    def words_of_page(self, *folders):
+        """The page without its diagrams, which take most of the time."""
+        with unittest.mock.patch("figure_report.svg_of", return_value=b"<svg></svg>"):
+            return self.page(*folders)
+
     def page(self, *folders, **words):
         text = report_page.page(report_run.read(folders), report_scene.Wanted(with_pictures=False, **words))
         self.links = Links(text)
@@ -301,7 +306,7 @@ class ReportTest(unittest.TestCase):
             case["relaxation"] = {"after": said(0.005, "s"), "residual": said(1e-7, "1"), "samples": said(5, "1", True)}
             made["ledger"]["accounts"]["relaxation"] = account("relaxation")
 
-        text = self.page(self.changed("one", change))
+        text = self.words_of_page(self.changed("one", change))
         self.assertIn("<td>thickness 2 mm</td>", text)
         self.assertIn("<td>elastic, rigid</td>", text)
         self.assertIn("move [0, 0, 0.1] m", text)
@@ -316,12 +321,12 @@ class ReportTest(unittest.TestCase):
         same = "the same as of A"
         for default in (False, True):  # a default is in no table of the set-up
             one, two, three = (self.changed(f"{default}_{i}", thick(size, default)) for i, size in enumerate((0.002, 0.003, 0.003)))
-            self.assertNotIn(same, self.page(one, two))
-            self.assertIn("the same as of B", self.page(one, two, three))
-            self.assertIn(same, self.page(two, three))
+            self.assertNotIn(same, self.words_of_page(one, two))
+            self.assertIn("the same as of B", self.words_of_page(one, two, three))
+            self.assertIn(same, self.words_of_page(two, three))
 
     def test_the_page_says_what_differences_and_created_energy_are(self):
-        text = self.page(self.run_of("coarse"), self.run_of("fine", tip=0.0021))
+        text = self.words_of_page(self.run_of("coarse"), self.run_of("fine", tip=0.0021))
         self.assertIn("in per cent of the magnitude of A; positive: B is larger", text)
         self.assertIn("spurious energy in the account of one source, whose work, stores and losses do not add up to zero", text)
 
