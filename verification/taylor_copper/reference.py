@@ -27,3 +27,10 @@ FRICTION = 0.1  # [-] between anvil and bar, somewhere between none and this: no
 U_MEASURED = {"length": 0.01, "foot": 0.025, "belly": 0.025}  # [-] scatter of House's shots about a smooth curve: see above
 
 
+def left(temperature):
+    """What is left of the flow stress at a temperature [K], over that at room temperature, by the law.
+
+    >>> round(left(294), 2), round(left(720), 2), round(left(1235), 2)
+    (1.0, 0.63, 0.12)
+    """
+    return 1 - ((temperature - 294) / (1356 - 294))**1.09
