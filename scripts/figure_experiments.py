@@ -3,9 +3,7 @@ import figure
 
 FAMILIES = [("taylor_copper", "Taylor bars, copper"), ("taylor_6061", "Taylor bars, 6061-T6"), ("taylor_4340", "Taylor bars, 4340"),
             ("oblique_sphere", "oblique spheres"), ("impulsive_plates", "plates under impulse"), ("square_tubes", "square tubes")]
-# in the order of their panels
-TITLES = {"length": "length", "foot": "foot", "belly": "belly", "deflection": "deflection", "rebound": "rebound", "spin": "spin",
-          "length, heated": "length, heated", "foot, heated": "foot, heated", "belly, heated": "belly, heated"}
+PANELS = ["length", "foot", "belly", "deflection", "rebound", "spin", "length, heated", "foot, heated", "belly, heated"]  # in their order
 COLUMNS = 5
 
 
@@ -16,8 +14,8 @@ def draw(points, bands):
             is not that of the constants: open marks, in no band
     bands   {quantity: (bias, scatter, u_measured, number)} of the points that count [-]
     """
-    known = list(TITLES)
-    quantities = sorted(dict.fromkeys(one[1] for one in points), key=lambda name: known.index(name) if name in known else len(known))
+    shown = dict.fromkeys(one[1] for one in points)
+    quantities = [name for name in PANELS if name in shown] + [name for name in shown if name not in PANELS]
     made, whole, panels = figure.new_overview(len(quantities), min(COLUMNS, len(quantities)), height=155.0)
     values = [x for one in points for x in one[2:4]]
     ends = [0.8 * min(values), 1.25 * max(values)]
@@ -40,8 +38,7 @@ def draw(points, bands):
 
 
 def title_of(quantity, found):
-    title = TITLES.get(quantity, quantity)
-    return f"{title} ({found[3]})\nbias {found[0]:.3f}, scatter {found[1]:.3f}" if found else title
+    return f"{quantity} ({found[3]})\nbias {found[0]:.3f}, scatter {found[1]:.3f}" if found else quantity
 
 
 def put(axes, family, counts, points, as_ratio, label=None):

@@ -62,7 +62,7 @@ std::string limited_by(const Step& step, const std::vector<Source>& sources) {
   const std::string part = step.safety != 1 ? formatted(", %.4g of its stable step", step.safety) : "";
   switch (source.kind) {
     case SourceKind::block:
-      if (step.at == at_largest_step) return "'time.largest_step', of rigid bodies a thousandth of the run by default";
+      if (step.at == at_largest_step) return "'time.largest_step', by default a thousandth of the run where all bodies are rigid";
       if (step.at < 0) return "the turn of " + name + " in a step";
       return "element " + at + " of " + name + part;
     case SourceKind::interface: return "contact " + name + ", apex at node " + at;

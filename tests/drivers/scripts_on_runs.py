@@ -20,9 +20,10 @@ import unittest
 from math import pi
 from pathlib import Path
 
+from right_runs import G, PATIENCE
+from runs import InATemporaryFolder
+
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
-PATIENCE = 120  # [s] each command takes a second or two
-G = 9.81
 MISSING = [name for name in ("numpy", "matplotlib") if importlib.util.find_spec(name) is None]
 
 # A cube of 1 kg without constraints: its weight, or the load, is all that acts.
@@ -55,13 +56,8 @@ output: {{history_every: 1 ms, frames_every: 1 s}}
 """
 
 
-class InAFolder(unittest.TestCase):
+class InAFolder(InATemporaryFolder):
     drivers = None  # folder of the programs, from the command line
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
 
     def script(self, name, *words):
         """The finished process of a script."""

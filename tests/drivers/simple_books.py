@@ -474,12 +474,13 @@ class Progress(Books):
         self.assertGreater(seconds(to_go) + 1, self.PAUSE * (1e4 - latest) / (latest - begin))
 
 
-def main(words):
+def main(words, page):
+    """Runs the tests of the module that is started; without words its page."""
     if not words:
-        sys.exit(__doc__)
+        sys.exit(page)
     runs.Run.drivers = Path(words.pop(0)).resolve()
     unittest.main(argv=[sys.argv[0], "-v", *words])
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(sys.argv[1:], __doc__)

@@ -7,14 +7,11 @@ Scenes are dicts, as in right_runs.py. Unless a test says otherwise, a run must 
 """
 import re
 import sys
-import unittest
 from math import exp, hypot, log, pi, sin, sqrt
-from pathlib import Path
 
-import runs
 from known_answers import automatic, fixed, material, momenta, plate, thrown
 from right_runs import DOWN, box, lengths
-from simple_books import Books, ROUND_OFF, Run, cube, moving, probe, sheet
+from simple_books import Books, ROUND_OFF, Run, cube, main, moving, probe, sheet
 
 HALF = 0.05  # [m] half the side of a cube about the origin
 
@@ -308,12 +305,5 @@ class MeshError(Books):
         self.assertAlmostEqual(run.result("b_z_last_mesh_error") / right, 1, delta=0.01)  # the factors are printed with some digits
 
 
-def main(words):
-    if not words:
-        sys.exit(__doc__)
-    runs.Run.drivers = Path(words.pop(0)).resolve()
-    unittest.main(argv=[sys.argv[0], "-v", *words])
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(sys.argv[1:], __doc__)

@@ -148,7 +148,8 @@ TEST(Step, NamesPlanesAndSpringsAndNothing) {
   EXPECT_EQ(limited_by({1, 2, 5, 1}, sources), "rigid plane 'wall', node 5");
   EXPECT_EQ(limited_by({1, 3, -1, 0.5}, sources), "spring 'strut', 0.5 of its stable step");
   EXPECT_EQ(limited_by({1, 0, -1, 1}, sources), "the turn of 'lead' in a step");
-  EXPECT_EQ(limited_by({1, 0, at_largest_step, 1}, sources), "'time.largest_step', of rigid bodies a thousandth of the run by default");
+  EXPECT_EQ(limited_by({1, 0, at_largest_step, 1}, sources),
+            "'time.largest_step', by default a thousandth of the run where all bodies are rigid");
   EXPECT_EQ(limited_by({}, sources), "nothing");
 }
 

@@ -79,7 +79,7 @@ TABLE = [
     ("keys", "nosuch", "unrecognized"), ("keys", "--drivers nosuch", "is no folder"), ("keys", "--drivers {there}", NOT_BUILT),
     ("limits.py", "nosuch", "unrecognized"),
     ("mutate", "nosuch", "no fault is called 'nosuch'"), ("mutate", "--list --ci", "not allowed"),
-    ("mutate", "--jobs={one}", COUNT, NO_COUNTS),
+    ("mutate", "--jobs={one}", COUNT, NO_COUNTS), ("mutate", "--list --seconds={one}", NUMBER, NO_NUMBERS),
     ("mutate", "--groups nosuch", CHOICE), ("mutate", "--ci --work {file}", "expected is a folder"),
     ("experiments", "nosuch", "no folder of verification/ with points is called nosuch"),
     ("experiments", "--points nosuch", "is no file"), ("experiments", "--points {history}", "the columns family"),
